@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "arguments.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "base/try.h"
+
+namespace lueur::cli {
+namespace {
+
+// The whole text as a number; empty when it is none or does not fit.
+template <class T>
+std::optional<T> number(std::string_view text) {
+  T value{};
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc() || stop != end) return std::nullopt;
+  return value;
+}
+
+Error refuse(std::string_view flag, std::string_view text, const std::string& expected) {
+  return {ErrorKind::usage,
+          std::string(flag) + " '" + std::string(text) + "': expected " + expected};
+}
+
+}  // namespace
+
+Result<Extent> parse_size(std::string_view text) {
+  const size_t cross = text.find('x');
+  if (cross != std::string_view::npos) {
+    const auto width = number<uint32_t>(text.substr(0, cross));
+    const auto height = number<uint32_t>(text.substr(cross + 1));
+    const auto fits = [](uint32_t side) { return side >= 1 && side <= kMaxSide; };
+    if (width && height && fits(*width) && fits(*height)) return Extent{*width, *height};
+  }
+  return refuse(
+      "--size", text,
+      "WIDTHxHEIGHT in pixels, each from 1 to " + std::to_string(kMaxSide) + ", such as 1280x720");
+}
+
+Result<uint32_t> parse_count(std::string_view flag, std::string_view text, uint32_t min,
+                             uint32_t max) {
+  const auto value = number<uint32_t>(text);
+  if (value && *value >= min && *value <= max) return *value;
+  return refuse(flag, text,
+                "a whole number from " + std::to_string(min) + " to " + std::to_string(max));
+}
+
+Result<float> parse_real(std::string_view flag, std::string_view text, float limit) {
+  const auto value = number<float>(text);
+  if (value && std::isfinite(*value) && std::abs(*value) <= limit) return *value;
+  const std::string bound = std::to_string(static_cast<int64_t>(limit));
+  return refuse(flag, text, "a number from -" + bound + " to " + bound);
+}
+
+Result<std::optional<float>> parse_exposure(std::string_view text) {
+  if (text == "auto") return std::optional<float>();
+  const auto value = parse_real("--exposure", text, 64.0f);
+  if (!value.ok()) return refuse("--exposure", text, "stops from -64 to 64, or auto");
+  return std::optional<float>(*value);
+}
+
+Result<ToneMap> parse_tone_map(std::string_view text) {
+  std::vector<std::string> names;
+  for (const ToneMapName& row : kToneMapNames) {
+    if (row.name == text) return row.tone_map;
+    names.emplace_back(row.name);
+  }
+  return refuse("--tone-map", text, "one of " + joined(names));
+}
+
+Result<Assignment> parse_assignment(std::string_view flag, std::string_view text) {
+  const size_t equals = text.find('=');
+  if (equals == std::string_view::npos || equals == 0)
+    return refuse(flag, text, "key=value, such as samples=32");
+  return Assignment{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string list;
+  for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
+  return list;
+}
+
+}  // namespace lueur::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// From what a user typed to values, or to one line (ErrorKind::usage) that names the flag, what it
+// was given, and what it takes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/tone_map.h"
+#include "lueur/image.h"
+#include "lueur/result.h"
+
+namespace lueur::cli {
+
+inline constexpr uint32_t kMaxSide = 16384;  // pixels
+
+// "1280x720"; each side from 1 to kMaxSide.
+Result<Extent> parse_size(std::string_view text);
+
+// A whole number in [min, max].
+Result<uint32_t> parse_count(std::string_view flag, std::string_view text, uint32_t min,
+                             uint32_t max);
+
+// A finite decimal number in [-limit, limit].
+Result<float> parse_real(std::string_view flag, std::string_view text, float limit);
+
+// Stops, or "auto". What is returned for "auto" is empty.
+Result<std::optional<float>> parse_exposure(std::string_view text);
+
+Result<ToneMap> parse_tone_map(std::string_view text);
+
+// "key=value", split at the first "=".
+struct Assignment {
+  std::string key;
+  std::string value;
+};
+Result<Assignment> parse_assignment(std::string_view flag, std::string_view text);
+
+// "a, b, c"
+std::string joined(const std::vector<std::string>& words);
+
+}  // namespace lueur::cli

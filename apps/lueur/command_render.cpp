@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: MIT
+// lueur render: one picture of a scene, and what is known about how it was made.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "arguments.h"
+#include "base/try.h"
+#include "commands.h"
+#include "console.h"
+#include "render_job.h"
+
+namespace lueur::cli {
+namespace {
+
+// What was typed, before it is checked.
+struct Options {
+  std::string scene;
+  std::vector<std::string> outputs;
+  std::string technique = "hierarchical";
+  std::vector<std::string> settings;
+  std::string size = "1280x720";
+  std::string camera;
+  std::string exposure;
+  std::string time_s = "0";
+  std::string seed = "0";
+  std::string tone_map = "khronos-neutral";
+  std::string view;
+  std::vector<std::string> dump;
+  std::string dump_to;
+  std::string device;
+  bool json = false;
+  bool list_views = false;
+  bool scan = false;
+  bool validate = false;
+};
+
+Result<RenderJob> check(const Options& options) {
+  RenderJob job;
+  job.scene = options.scene;
+  job.camera = options.camera;
+  job.view = options.view;
+  job.dump = options.dump;
+  job.dump_to = options.dump_to;
+  job.device = options.device;
+  job.json = options.json;
+  job.list_views = options.list_views;
+  job.scan = options.scan;
+  job.validate = options.validate;
+  const bool has_result = !options.outputs.empty() || !options.dump.empty() || options.json ||
+                          options.list_views || options.scan || options.validate;
+  if (!has_result)
+    return Error{ErrorKind::usage, "render: nothing to do; name a picture with -o FILE.png"};
+  if (!options.view.empty() && options.outputs.empty())
+    return Error{ErrorKind::usage, "--view " + options.view + " needs a file; add -o FILE.png"};
+  LUEUR_TRY(size, parse_size(options.size));
+  job.size = size;
+  LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
+  job.time_s = time_s;
+  LUEUR_TRY(seed, parse_count("--seed", options.seed, 0, UINT32_MAX));
+  job.seed = seed;
+  LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
+  job.tone_map = tone_map;
+  job.tone_map_name = options.tone_map;
+  job.meter_exposure = options.exposure == "auto";
+  if (!options.exposure.empty()) {
+    LUEUR_TRY(exposure_ev, parse_exposure(options.exposure));
+    job.exposure_ev = exposure_ev;
+  }
+  LUEUR_TRY(technique, choose_technique(options.technique, options.settings));
+  job.technique = std::move(technique);
+  LUEUR_TRY(destinations, check_destinations(options.outputs, size));
+  job.destinations = destinations;
+  if (!job.dump_to.empty()) LUEUR_TRY_VOID(make_folder(job.dump_to));
+  return job;
+}
+
+Outcome run(const Options& options) {
+  LUEUR_TRY(job, check(options));
+  return run_render(job);
+}
+
+constexpr char kFooter[] =
+    "SCENE is the name of a built-in scene (lueur scene list), with parameters as in\n"
+    "atrium:triangles=250000, or a glTF file: a path that ends in .gltf or .glb, or exists.\n"
+    "\n"
+    "PNG holds the picture as a display shows it. EXR holds scene-referred light, the main\n"
+    "picture and a layer each for direct, indirect, off_screen, albedo, normal (world space),\n"
+    "depth (metres along the view axis, 0: nothing), specular, emission, source, motion and\n"
+    "material; its header says how it was made.\n"
+    "\n"
+    "Without --exposure the scene's own exposure holds, or a light meter's if it has none. The\n"
+    "default tone map, khronos-neutral, shows what is below 80 % of white as it is, so that two\n"
+    "pictures differ by their light and not by the curve; only highlights are compressed.\n"
+    "\n"
+    "With --json the frame is rendered twice and the second one is reported: the first one pays\n"
+    "for compiling pipelines and touching memory. technique_ms is the sum of the passes of the\n"
+    "technique, frame_ms of all passes, both GPU time.\n"
+    "\n"
+    "Examples:\n"
+    "  lueur render cornell -o cornell.png\n"
+    "  lueur render room.glb --technique none --exposure auto -o direct.png -o direct.exr\n"
+    "  lueur render atrium --set samples=32 --set start=full --json -o atrium.png\n"
+    "  lueur render cornell --list-views\n"
+    "  lueur render cornell --view hierarchical.gather@0.indirect -o level0.png\n"
+    "  lueur render cornell --dump 'hierarchical.*' --dump-to passes\n"
+    "  lueur render room.glb --scan --validate\n";
+
+void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+  command->add_option("--size", options->size, "In pixels (default 1280x720)")->type_name("WxH");
+  command->add_option("--camera", options->camera, "A camera's name or number (default: first)")
+      ->type_name("NAME|N");
+  command->add_option("--time", options->time_s, "Seconds into the animation (default 0)")
+      ->type_name("SECONDS");
+  command->add_option("--seed", options->seed, "Pattern of samples (default 0)")->type_name("N");
+  command->add_option("--exposure", options->exposure, "Stops to add, or auto")
+      ->type_name("EV|auto");
+  std::vector<std::string> curves;
+  for (const ToneMapName& row : kToneMapNames) curves.emplace_back(row.name);
+  command
+      ->add_option("--tone-map", options->tone_map, joined(curves) + " (default khronos-neutral)")
+      ->type_name("CURVE");
+}
+
+void add_inspection_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+  command->add_flag("--json", options->json, "Report as one JSON object on stdout");
+  command->add_flag("--list-views", options->list_views, "List the images that --view takes");
+  auto* view =
+      command->add_option("--view", options->view, "Write PASS.IMAGE instead of the picture")
+          ->type_name("PASS.IMAGE");
+  auto* dump = command
+                   ->add_option("--dump", options->dump,
+                                "Write images PASS.IMAGE, * being anything, as EXR files")
+                   ->type_name("PATTERN");
+  dump->allow_extra_args(false);
+  auto* dump_to =
+      command->add_option("--dump-to", options->dump_to, "Folder of --dump")->type_name("FOLDER");
+  dump->needs(dump_to);
+  dump_to->needs(dump);
+  view->excludes(dump);
+  command->add_flag("--scan", options->scan,
+                    "Search all passes for NaN, infinite and negative light");
+  command->add_flag("--validate", options->validate, "Let Vulkan's validation layer watch");
+}
+
+}  // namespace
+
+void add_render(CLI::App& program, Outcome& outcome) {
+  CLI::App* command = program.add_subcommand("render", "Render one picture of a scene");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->scene, "A built-in scene or a glTF file")
+      ->type_name("")
+      ->required();
+  command->add_option("-o,--output", options->outputs, "Picture, .png or .exr; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--technique", options->technique,
+                   "Of `lueur techniques`, or none (default hierarchical)")
+      ->type_name("NAME");
+  command->add_option("--set", options->settings, "A setting of the technique; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+  add_look_options(command, options);
+  add_inspection_options(command, options);
+  command->add_option("--device", options->device, "Number or name, see `lueur devices`")
+      ->type_name("N|NAME");
+  command->footer(std::string(kFooter) + kExitCodes);
+  command->callback([options, &outcome] { outcome = run(*options); });
+}
+
+}  // namespace lueur::cli

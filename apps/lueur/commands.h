@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The commands of the program. Each add_…() puts one command and its options into the parser; once
+// the command line is read, the chosen command runs and leaves its outcome.
+#pragma once
+
+#include "lueur/result.h"
+
+namespace CLI {
+class App;
+}
+
+namespace lueur::cli {
+
+// The exit code, or the error that is to be printed.
+using Outcome = Result<int>;
+
+void add_render(CLI::App& program, Outcome& outcome);
+void add_bench(CLI::App& program, Outcome& outcome);
+void add_scene(CLI::App& program, Outcome& outcome);
+void add_devices(CLI::App& program, Outcome& outcome);
+void add_techniques(CLI::App& program, Outcome& outcome);
+
+// The last part of every --help.
+inline constexpr char kExitCodes[] =
+    "\nExit codes: 0 done, 1 a check found something (--scan, --validate), 2 usage,\n"
+    "3 input file, 4 output file or stdout, 5 device, 6 memory, 70 a defect in lueur.";
+
+}  // namespace lueur::cli

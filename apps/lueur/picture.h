@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// From the renderer's images, as they came back from the device, to pictures for files.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "frame/recorder.h"
+#include "image/image.h"
+
+namespace lueur::cli {
+
+// Channels of all layers that exr_layers() makes.
+inline constexpr uint32_t kExrChannels = 31;
+
+// The image of this name, or nullptr.
+const Pixels* find_pixels(std::span<const Pixels> all, std::string_view name);
+
+// The first `channels` channels, as they are.
+ImageF as_image(const Pixels& pixels, uint32_t channels);
+
+// The layers of a rendered frame, from images named as in RenderedImages:
+//   (main)      the composed picture, scene-referred
+//   direct      source + specular: what there is without a technique
+//   indirect    the technique's E/pi, before albedo, and
+//   off_screen  its alpha: for `hierarchical` the share of samples outside of the picture
+//   albedo      diffuse, linear
+//   normal      unit, world space; 0 where nothing is
+//   depth       distance along the optical axis in metres; 0 where nothing is
+//   specular, emission, source   radiance
+//   motion      UV now minus UV in the previous frame
+//   material    metallic, perceptual roughness, share of dielectric F0
+// Layers whose image is missing are left out. `near_m` is the camera's near plane.
+std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m);
+
+// The mean of `indirect`'s alpha over the pixels that show something; none without such pixels.
+std::optional<double> off_screen_share(std::span<const Pixels> all);
+
+}  // namespace lueur::cli

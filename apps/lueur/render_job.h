@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// What `lueur render` is to do, all of it checked, and the doing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "destination.h"
+#include "image/tone_map.h"
+#include "session.h"
+
+namespace lueur::cli {
+
+struct RenderJob {
+  std::string scene;
+  std::string camera;  // name or number; empty: the first
+  Extent size;
+  float time_s = 0;
+  uint32_t seed = 0;
+  ChosenTechnique technique;
+
+  // Stops. None: the scene's own, or metered if it has none or `meter_exposure` is set.
+  std::optional<float> exposure_ev;
+  bool meter_exposure = false;
+  ToneMap tone_map = ToneMap::khronos_neutral;
+  std::string tone_map_name;
+
+  std::vector<Destination> destinations;
+  std::string view;               // "pass.image" to write there; empty: the picture
+  std::vector<std::string> dump;  // patterns
+  std::string dump_to;            // folder
+
+  bool json = false;
+  bool list_views = false;
+  bool scan = false;
+  bool validate = false;
+  std::string device;
+};
+
+// Renders, writes, reports. kExitFinding when a scan or the validation found something.
+Outcome run_render(RenderJob& job);
+
+}  // namespace lueur::cli

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: MIT
+#include "session.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <filesystem>
+
+#include "arguments.h"
+#include "base/file.h"
+#include "base/try.h"
+#include "scene/builtin/builtin.h"
+#include "scene/framing.h"
+#include "scene/gltf_load.h"
+
+namespace lueur::cli {
+namespace {
+
+constexpr size_t kMostNamesInErrors = 24;
+
+bool is_builtin(const std::string& spec) {
+  const auto scenes = builtin_scenes();
+  const std::string name = spec.substr(0, spec.find(':'));
+  return std::any_of(scenes.begin(), scenes.end(),
+                     [&](const BuiltinScene& scene) { return scene.name == name; });
+}
+
+bool looks_like_file(const std::string& spec) {
+  std::string ending = std::filesystem::path(spec).extension().string();
+  for (char& c : ending)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  std::error_code error;
+  return ending == ".gltf" || ending == ".glb" || std::filesystem::exists(spec, error);
+}
+
+Result<Scene> make_scene(const std::string& spec) {
+  if (is_builtin(spec)) return make_builtin_scene(spec);
+  if (looks_like_file(spec)) {
+    LUEUR_TRY(scene, load_gltf(spec));
+    complete(scene);
+    return std::move(scene);
+  }
+  std::vector<std::string> names;
+  for (const BuiltinScene& scene : builtin_scenes()) names.emplace_back(scene.name);
+  return Error{ErrorKind::usage,
+               "scene '" + spec + "': neither a file (.gltf, .glb) nor one of " + joined(names)};
+}
+
+// Each device and driver has a file of its own: a driver ignores what another one has stored.
+std::filesystem::path pipeline_cache(const gpu::DeviceEntry& device) {
+  const std::filesystem::path folder = cache_folder();
+  if (folder.empty()) return {};
+  uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a, 64 bits
+  for (const char c : device.name + "\n" + device.driver + "\n" + device.api_version)
+    hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  char digits[16];
+  const auto end = std::to_chars(digits, digits + sizeof(digits), hash, 16).ptr;
+  return folder / ("pipelines-" + std::string(digits, end) + ".bin");
+}
+
+std::vector<PassTime> summed_by_name(const std::vector<PassTime>& passes) {
+  std::vector<PassTime> rows;
+  for (const PassTime& pass : passes) {
+    const auto row = std::find_if(rows.begin(), rows.end(),
+                                  [&](const PassTime& r) { return r.name == pass.name; });
+    if (row == rows.end())
+      rows.push_back(pass);
+    else
+      row->gpu_ms += pass.gpu_ms;
+  }
+  return rows;
+}
+
+Image image_named(const RenderedImages& images, std::string_view name) {
+  constexpr std::pair<std::string_view, Image RenderedImages::*> kImages[] = {
+      {"depth", &RenderedImages::depth},       {"normal", &RenderedImages::normal},
+      {"albedo", &RenderedImages::albedo},     {"material", &RenderedImages::material},
+      {"emission", &RenderedImages::emission}, {"motion", &RenderedImages::motion},
+      {"source", &RenderedImages::source},     {"specular", &RenderedImages::specular},
+      {"indirect", &RenderedImages::indirect}, {"composed", &RenderedImages::composed}};
+  for (const auto& [known, image] : kImages)
+    if (known == name) return images.*image;
+  return {};
+}
+
+}  // namespace
+
+Result<LoadedScene> load_scene(const std::string& spec) {
+  const auto start = std::chrono::steady_clock::now();
+  LUEUR_TRY(scene, make_scene(spec));
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  return LoadedScene{std::move(scene), taken.count()};
+}
+
+Result<int32_t> find_camera(const Scene& scene, const std::string& text) {
+  const std::vector<Camera>& cameras = scene.cameras;
+  if (text.empty() && !cameras.empty()) return 0;
+  for (size_t i = 0; i < cameras.size(); ++i)
+    if (cameras[i].name == text) return static_cast<int32_t>(i);
+  size_t index = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, index);
+  if (error == std::errc() && stop == end && index < cameras.size())
+    return static_cast<int32_t>(index);
+
+  std::vector<std::string> list;
+  for (size_t i = 0; i < std::min(cameras.size(), kMostNamesInErrors); ++i)
+    list.push_back(std::to_string(i) + " (" + cameras[i].name + ")");
+  if (cameras.size() > kMostNamesInErrors) list.push_back("…");
+  return Error{ErrorKind::usage,
+               "--camera '" + text + "': the scene has the cameras " + joined(list)};
+}
+
+Result<ChosenTechnique> choose_technique(const std::string& name,
+                                         const std::vector<std::string>& settings) {
+  ChosenTechnique chosen;
+  if (name == "none") {
+    if (!settings.empty())
+      return Error{ErrorKind::usage, "--set " + settings.front() +
+                                         ": --technique none has no settings; leave --set out"};
+    return chosen;
+  }
+  chosen.info = find_technique(name);
+  if (!chosen.info) {
+    std::vector<std::string> names = {"none"};
+    for (const TechniqueInfo& info : techniques()) names.emplace_back(info.name);
+    return Error{ErrorKind::usage, "--technique '" + name + "': expected one of " + joined(names)};
+  }
+  chosen.technique = chosen.info->make();
+  for (const std::string& text : settings) {
+    LUEUR_TRY(assignment, parse_assignment("--set", text));
+    const auto set = set_from_text(chosen.info->settings, chosen.technique->settings(),
+                                   assignment.key, assignment.value);
+    if (!set.ok()) return Error{set.error().kind, "--set " + set.error().message};
+  }
+  return chosen;
+}
+
+Result<Session> open_session(const gpu::SystemInfo& info) {
+  LUEUR_TRY(system, gpu::System::create(info));
+  ContextInfo context_info = system->context_info();
+  context_info.frames_in_flight = 1;
+  context_info.timers = true;
+  context_info.pipeline_cache = pipeline_cache(system->device());
+  LUEUR_TRY(context, Context::create(context_info));
+  return Session{std::move(system), std::move(context)};
+}
+
+Result<FrameRecord> render_frame(Session& session, Renderer& renderer, const Shot& shot,
+                                 Technique* technique, const ImageNames& images) {
+  Recorder& recorder = session.context.recorder();
+  LUEUR_TRY_VOID(session.system->run([&](VkCommandBuffer commands) -> Result<void> {
+    Frame frame = session.context.record(commands);
+    const RenderedImages rendered = renderer.record(frame, shot, technique);
+    for (const std::string_view name : images)
+      recorder.read_back(std::string(name), image_named(rendered, name));
+    return frame.finish();
+  }));
+  FrameRecord record;
+  record.passes = summed_by_name(session.context.pass_times());
+  record.pixels = recorder.read_back_pixels();
+  record.findings = recorder.scan_findings();
+  for (const std::string& name : recorder.written_images())
+    if (std::find(record.written.begin(), record.written.end(), name) == record.written.end())
+      record.written.push_back(name);
+  return record;
+}
+
+double total_ms(const std::vector<PassTime>& passes, std::string_view prefix) {
+  double total = 0;
+  for (const PassTime& pass : passes)
+    if (pass.name.starts_with(prefix)) total += pass.gpu_ms;
+  return total;
+}
+
+}  // namespace lueur::cli

@@ -1,0 +1,47 @@
+# lueur_shaders(TARGET FILES …) compiles GLSL with glslc and embeds the SPIR-V into TARGET.
+#
+# Each file "gather.comp" in the folder src/techniques/hierarchical becomes one constant
+#   lueur::shaders::techniques_hierarchical_gather_comp   (gpu::ShaderCode)
+# declared in the generated header "techniques/hierarchical/shaders.h". A name that does not exist
+# fails to compile, and a shader that nobody names is still compiled, so that it cannot rot.
+
+function(lueur_shaders target)
+  cmake_parse_arguments(arg "" "" "FILES" ${ARGN})
+  file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR}/src ${CMAKE_CURRENT_SOURCE_DIR})
+  set(generated ${PROJECT_BINARY_DIR}/shaders)
+  set(output ${generated}/${folder})
+  file(MAKE_DIRECTORY ${output})
+
+  set(header "#pragma once\n#include \"gpu/shader.h\"\nnamespace lueur::shaders {\n")
+  set(source "#include \"${folder}/shaders.h\"\nnamespace lueur::shaders {\nnamespace {\n")
+  set(definitions "}\n")
+  set(list "")
+  foreach(file ${arg_FILES})
+    string(MAKE_C_IDENTIFIER "${folder}_${file}" name)
+    set(include ${output}/${file}.inc)
+    add_custom_command(
+      OUTPUT ${include}
+      COMMAND ${GLSLC} --target-env=vulkan1.3 -O -g -Werror -mfmt=c -I${PROJECT_SOURCE_DIR}/src
+              -MD -MF ${include}.d -MT ${include} -o ${include} ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+      DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${file}
+      DEPFILE ${include}.d
+      COMMENT "Compiling shader ${folder}/${file}"
+      VERBATIM)
+    list(APPEND includes ${include})
+    string(APPEND header "extern const gpu::ShaderCode ${name};\n")
+    string(APPEND source "constexpr uint32_t words_${name}[] =\n#include \"${folder}/${file}.inc\"\n;\n")
+    string(APPEND definitions "const gpu::ShaderCode ${name}{\"${folder}/${file}\", words_${name}};\n")
+    string(APPEND list "  &${name},\n")
+  endforeach()
+  string(MAKE_C_IDENTIFIER "${folder}" folder_name)
+  string(APPEND header "// All shaders of this folder.\n"
+                       "extern const std::span<const gpu::ShaderCode* const> all_${folder_name};\n}\n")
+  string(APPEND definitions
+         "namespace {\nconst gpu::ShaderCode* const list_${folder_name}[] = {\n${list}};\n}\n"
+         "const std::span<const gpu::ShaderCode* const> all_${folder_name}{list_${folder_name}};\n}\n")
+  file(CONFIGURE OUTPUT ${output}/shaders.h CONTENT "${header}" @ONLY)
+  file(CONFIGURE OUTPUT ${output}/shaders.cpp CONTENT "${source}${definitions}" @ONLY)
+  target_sources(${target} PRIVATE ${output}/shaders.cpp ${includes})
+  set_source_files_properties(${output}/shaders.cpp PROPERTIES OBJECT_DEPENDS "${includes}")
+  target_include_directories(${target} PUBLIC ${generated})
+endfunction()

@@ -1,0 +1,34 @@
+# lueur_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]) makes the static library of one folder.
+# lueur_test(NAME SOURCES … LINK … [LABELS …]) makes one GoogleTest program beside it.
+# Both carry the warnings and sanitizers of the whole house.
+
+add_library(lueur_options INTERFACE)
+target_compile_options(lueur_options INTERFACE -Wall -Wextra -Wshadow -Wundef -Wconversion
+                       -Wno-sign-conversion -Wno-missing-field-initializers
+                       -Werror)
+# GCC 12 warns of std::string's own code (GCC bug 105329).
+target_compile_options(lueur_options INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
+if(LUEUR_SANITIZE)
+  string(REPLACE ";" "," _sanitizers "${LUEUR_SANITIZE}")
+  target_compile_options(lueur_options INTERFACE -fsanitize=${_sanitizers}
+                         -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(lueur_options INTERFACE -fsanitize=${_sanitizers})
+endif()
+
+function(lueur_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  add_library(${name} STATIC ${arg_SOURCES})
+  target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/src)
+  target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} lueur_options)
+endfunction()
+
+function(lueur_test name)
+  if(NOT LUEUR_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK;LABELS" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main lueur_options)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
+endfunction()

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Hierarchical screen-space indirect illumination.
+//
+// C. Soler, O. Hoel, F. Rochet, N. Holzschuch: "Hierarchical Screen-Space Indirect Illumination for
+// Video Games", INRIA RR-7162, 2009 (HSSIL). Ring radii as in the follow-up by Soler, Hoel and
+// Rochet, "A Fast Deferred Shading Pipeline for Real Time Approximate Indirect Illumination" (FDP).
+//
+// Each visible point gathers light from other visible points, near ones at full detail and far ones
+// from coarser levels of the G-buffer:
+//
+//   diffuse(x) = sum over samples i of  L_i R_i^2 cos+(theta_i) / (r_i^2 + R_i^2),
+//   R_i^2 = cos+(theta'_i) ds_i / pi,                                                  HSSIL (4)
+//   ds_i = z_i^2 * 4 tan(fov_h / 2) tan(fov_v / 2) / (W H) * cos(alpha) / cos(beta) * dP_i  (2)
+//
+// Visibility between the two points is taken as 1, and what the camera does not see gives no light.
+#pragma once
+
+#include "lueur/technique.h"
+
+namespace lueur {
+
+struct HierarchicalSettings {
+  enum class Start : int32_t { full, half, quarter };
+  enum class FormFactor : int32_t { disc, point };
+  enum class Sampling : int32_t { sparse, every_pixel };
+
+  Start start = Start::half;
+  int32_t levels = 6;
+  int32_t samples = 64;
+  float radius = 20.0f;  // pixels of the level
+  FormFactor form_factor = FormFactor::disc;
+  Sampling sampling = Sampling::sparse;
+  bool rotate = true;
+  bool filter = true;
+  int32_t only_level = 0;
+};
+
+// Outputs: `diffuse` only. Its alpha is the share of samples that fell outside of the image,
+// averaged over the levels: light that may be missing there.
+//
+// Memory, for W x H at half start: about 10 bytes a pixel of W x H for the pyramid and 8 + 8 for
+// the light; it is kept between frames.
+class Hierarchical final : public Technique {
+ public:
+  explicit Hierarchical(HierarchicalSettings settings = {}) : settings_(settings) {}
+  Outputs render(Frame& frame, const Inputs& inputs) override;
+  void* settings() override { return &settings_; }
+
+  static std::span<const SettingInfo> settings_table();
+
+ private:
+  HierarchicalSettings settings_;
+};
+
+}  // namespace lueur

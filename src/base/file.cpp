@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "base/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "base/try.h"
+
+namespace lueur {
+namespace fs = std::filesystem;
+namespace {
+
+Error cannot_write(const fs::path& path, int error_number) {
+  return {ErrorKind::output, path.string() + ": cannot be written: " + std::strerror(error_number)};
+}
+
+// Writes everything to `descriptor`; returns 0 or errno.
+int write_all(int descriptor, std::span<const uint8_t> bytes) {
+  size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return n == 0 ? EIO : errno;
+    done += static_cast<size_t>(n);
+  }
+  return 0;
+}
+
+Result<void> write_in_place(const fs::path& path, std::span<const uint8_t> bytes) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) return cannot_write(path, errno);
+  const int write_error = write_all(descriptor, bytes);
+  const int close_error = ::close(descriptor) != 0 ? errno : 0;
+  if (write_error != 0) return cannot_write(path, write_error);
+  if (close_error != 0) return cannot_write(path, close_error);
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<uint8_t>> read_file(const fs::path& path, uint64_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found)
+    return Error{ErrorKind::input, path.string() + ": no such file"};
+  if (error) return Error{ErrorKind::input, path.string() + ": " + error.message()};
+  if (!fs::is_regular_file(status))
+    return Error{ErrorKind::input, path.string() + ": not a regular file"};
+  const uint64_t size = fs::file_size(path, error);
+  if (error) return Error{ErrorKind::input, path.string() + ": " + error.message()};
+  if (size > max_bytes)
+    return Error{ErrorKind::input, path.string() + ": " + std::to_string(size) +
+                                       " bytes, more than the limit of " +
+                                       std::to_string(max_bytes)};
+  std::ifstream file(path, std::ios::binary);
+  std::vector<uint8_t> bytes(size);
+  if (!file || !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+    return Error{ErrorKind::input, path.string() + ": cannot be read: " + std::strerror(errno)};
+  return bytes;
+}
+
+Result<void> write_file(const fs::path& path, std::span<const uint8_t> bytes) {
+  // Write devices and pipes in place: they cannot be replaced by a rename.
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0) {
+    if (S_ISDIR(status.st_mode)) return cannot_write(path, EISDIR);
+    if (!S_ISREG(status.st_mode)) return write_in_place(path, bytes);
+  }
+
+  // Write beside the final name, so that the rename stays on one file system.
+  std::string temporary = path.string() + ".tmp-XXXXXX";
+  const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (descriptor < 0) return cannot_write(path, errno);
+
+  // Give the file the permissions a plain open() would have given it; mkstemp makes it private.
+  const mode_t mask = ::umask(0);
+  ::umask(mask);
+  int failure = ::fchmod(descriptor, 0666 & ~mask) != 0 ? errno : 0;
+  if (failure == 0) failure = write_all(descriptor, bytes);
+  if (failure == 0 && ::fsync(descriptor) != 0) failure = errno;
+  if (::close(descriptor) != 0 && failure == 0) failure = errno;
+  if (failure == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
+  if (failure != 0) {
+    ::unlink(temporary.c_str());
+    return cannot_write(path, failure);
+  }
+  return {};
+}
+
+Result<void> write_file(const fs::path& path, std::string_view text) {
+  return write_file(path, std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
+}
+
+fs::path cache_folder() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
+    return fs::path(cache) / "lueur";
+  if (const char* home = std::getenv("HOME"); home && *home == '/')
+    return fs::path(home) / ".cache" / "lueur";
+  return {};
+}
+
+}  // namespace lueur

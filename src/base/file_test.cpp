@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+#include "base/file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+namespace lueur {
+namespace {
+namespace fs = std::filesystem;
+
+class FileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string pattern = (fs::temp_directory_path() / "lueur-file-XXXXXX").string();
+    ASSERT_NE(mkdtemp(pattern.data()), nullptr);
+    folder_ = pattern;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  fs::path folder_;
+};
+
+TEST_F(FileTest, WhatIsWrittenIsReadBack) {
+  ASSERT_TRUE(write_file(folder_ / "a", std::string_view("light")).ok());
+  const auto bytes = read_file(folder_ / "a", 100);
+  ASSERT_TRUE(bytes.ok());
+  EXPECT_EQ(std::string(bytes->begin(), bytes->end()), "light");
+}
+
+TEST_F(FileTest, FailedWriteLeavesTheOldContentAndNothingElse) {
+  ASSERT_TRUE(write_file(folder_ / "a", std::string_view("old")).ok());
+  const auto missing = write_file(folder_ / "none" / "a", std::string_view("x"));
+  ASSERT_FALSE(missing.ok());
+  EXPECT_EQ(missing.error().kind, ErrorKind::output);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(FileTest, FullDiskIsAnError) {
+  if (!fs::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const auto full = write_file("/dev/full", std::string_view("x"));
+  ASSERT_FALSE(full.ok());
+  EXPECT_NE(full.error().message.find("/dev/full"), std::string::npos);
+}
+
+TEST_F(FileTest, ReadsAreCappedAndNamed) {
+  ASSERT_TRUE(write_file(folder_ / "a", std::string_view("12345")).ok());
+  EXPECT_FALSE(read_file(folder_ / "a", 4).ok());
+  EXPECT_TRUE(read_file(folder_ / "a", 5).ok());
+  EXPECT_FALSE(read_file(folder_, 5).ok());
+  EXPECT_EQ(read_file(folder_ / "b", 5).error().kind, ErrorKind::input);
+}
+
+}  // namespace
+}  // namespace lueur

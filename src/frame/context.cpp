@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// The public face of the recorder.
+#include "lueur/context.h"
+
+#include "base/try.h"
+#include "frame/recorder.h"
+
+namespace lueur {
+
+Image Frame::import(const ExternalImage& image) { return recorder_->import(image); }
+Result<void> Frame::finish() { return recorder_->finish(); }
+
+Context::Context() = default;
+Context::Context(Context&&) noexcept = default;
+Context& Context::operator=(Context&&) noexcept = default;
+Context::~Context() = default;
+
+Result<Context> Context::create(const ContextInfo& info) {
+  LUEUR_TRY(recorder, Recorder::create(info));
+  Context context;
+  context.recorder_ = std::move(recorder);
+  return context;
+}
+
+Frame Context::record(VkCommandBuffer command_buffer) {
+  recorder_->begin(command_buffer);
+  return Frame(recorder_.get());
+}
+
+std::vector<PassTime> Context::pass_times() { return recorder_->pass_times(); }
+MemoryUse Context::memory() const { return recorder_->memory(); }
+
+}  // namespace lueur

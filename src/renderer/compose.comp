@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// final = direct + albedo * indirect + specular: HSSIL 4.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+
+#include "renderer/params.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 0, rgba16f) uniform readonly image2D source;
+layout(set = 0, binding = 1, rgba16f) uniform readonly image2D albedo;
+layout(set = 0, binding = 2, rgba16f) uniform readonly image2D specular;
+layout(set = 0, binding = 3, rgba16f) uniform readonly image2D indirect;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D composed;
+layout(push_constant, scalar) uniform Push { ComposeParams p; };
+
+void main() {
+  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, p.extent))) return;
+  const vec4 direct = imageLoad(source, pixel);
+  vec3 sum = direct.rgb + imageLoad(specular, pixel).rgb;
+  if (p.has_indirect != 0) sum += imageLoad(albedo, pixel).rgb * imageLoad(indirect, pixel).rgb;
+  imageStore(composed, pixel, vec4(min(sum, vec3(65504.0)), direct.a));
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// What the renderer's shaders get from the CPU.
+#ifndef LUEUR_RENDERER_PARAMS_H
+#define LUEUR_RENDERER_PARAMS_H
+
+#include "shading/screen.h"
+
+LUEUR_NAMESPACE_BEGIN
+
+// One drawn instance of a mesh.
+struct InstanceData {
+  mat4 world_from_object;
+  mat4 world_from_object_before;  // in the previous frame
+  mat3 world_from_object_normal;  // inverse transpose
+};
+
+struct MaterialData {
+  vec4 base_color;
+  vec3 emission;
+  float metallic;
+  float roughness;
+  float normal_scale;
+  float alpha_cutoff;  // 0: opaque
+  uint has_normal_map;
+};
+
+struct GBufferParams {
+  mat4 clip_from_world;
+  mat4 clip_from_world_before;
+};
+
+struct ShadowParams {
+  mat4 clip_from_world;
+};
+
+struct DrawParams {
+  uint material;
+};
+
+const uint kLightPoint = 0u;
+const uint kLightSpot = 1u;
+const uint kLightDirectional = 2u;
+
+struct LightParams {
+  Screen screen;
+  mat4 world_from_view;
+  mat4 shadow_from_world;   // clip space of the shadow map (spot, directional)
+  vec3 position_world;
+  vec3 direction_world;     // in which the light shines (spot, directional)
+  vec3 intensity;           // cd or lux, times colour
+  ivec2 extent;
+  uint kind;
+  float cone_scale;         // KHR_lights_punctual: angular attenuation =
+  float cone_offset;        //   clamp(cos * scale + offset, 0, 1)^2
+  float shadow_near_m;      // near plane of the point light's faces
+  // Side of a shadow texel at distance 1 from the light; of a directional light, everywhere. Metres.
+  float texel_m;
+  uint first;               // 1: start from emission; 0: add to what is there
+};
+
+struct ComposeParams {
+  ivec2 extent;
+  uint has_indirect;
+};
+
+LUEUR_NAMESPACE_END
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The example host: a deferred renderer that calls techniques as any engine would.
+//
+// Each frame: G-buffer -> shadow maps -> direct light (diffuse source radiance and specular apart)
+// -> technique -> composition `direct + albedo * indirect + specular`.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frame/recorder.h"
+#include "gpu/system.h"
+#include "lueur/technique.h"
+#include "scene/scene.h"
+
+namespace lueur {
+
+// What one frame shows.
+struct Shot {
+  Extent extent;            // pixels
+  int32_t camera = 0;       // index into Scene::cameras
+  float time_s = 0;
+  float previous_time_s = 0;  // of the frame before, for motion vectors
+  uint32_t seed = 0;
+};
+
+// All images of one frame, W x H; linear Rec.709 where they hold light (cd/m² for glTF scenes).
+struct RenderedImages {
+  Image depth;      // d32f, reversed z, infinitely far plane, 0 where nothing is
+  Image normal;     // rg16_snorm, octahedral, world space
+  Image albedo;     // rgba8_srgb: diffuse albedo, base colour * (1 - metallic)
+  Image material;   // rgba8: r metallic, g perceptual roughness, b dielectric F0 share, a unused
+  Image emission;   // rgba16f: emitted radiance
+  Image motion;     // rg16f: UV now minus UV in the previous frame
+  Image source;     // rgba16f: diffuse direct radiance + emission; what the technique gets
+  Image specular;   // rgba16f: specular direct radiance
+  Image indirect;   // rgba16f: E/pi from the technique; invalid without one
+  Image composed;   // rgba16f: the picture, scene-referred
+};
+
+class Renderer {
+ public:
+  // Uploads the scene. `system` and `context` must outlive the renderer. Fails when memory runs out.
+  static Result<std::unique_ptr<Renderer>> create(gpu::System& system, Context& context,
+                                                  const Scene& scene);
+  ~Renderer();
+
+  // Records one frame. `technique` may be nullptr: direct light only.
+  RenderedImages record(Frame& frame, const Shot& shot, Technique* technique);
+
+  // What the scene asks for that the renderer does not do, one line each.
+  const std::vector<std::string>& warnings() const;
+
+ private:
+  struct State;
+  explicit Renderer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace lueur

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/scene_on_device.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "base/try.h"
+#include "renderer/mip_chain.h"
+#include "renderer/upload.h"
+
+namespace lueur {
+namespace {
+
+enum class Encoding { srgb, linear };
+
+// Which of the scene's textures some material uses with this encoding.
+std::vector<bool> used_textures(const Scene& scene, Encoding encoding) {
+  std::vector<bool> used(scene.textures.size(), false);
+  const auto mark = [&](int32_t texture) {
+    if (texture != kNone) used[static_cast<size_t>(texture)] = true;
+  };
+  for (const Material& m : scene.materials) {
+    if (encoding == Encoding::srgb) {
+      mark(m.base_color_texture);
+      mark(m.emission_texture);
+    } else {
+      mark(m.metallic_roughness_texture);
+      mark(m.normal_texture);
+    }
+  }
+  return used;
+}
+
+Result<gpu::Texture> upload_texture(Uploader& uploader, gpu::Device& device,
+                                    const std::string& name, Extent extent,
+                                    const std::vector<uint8_t>& rgba, Encoding encoding) {
+  const MipChain chain = make_mip_chain(rgba, extent, encoding == Encoding::srgb);
+  std::vector<std::span<const uint8_t>> levels{rgba};
+  levels.insert(levels.end(), chain.levels.begin(), chain.levels.end());
+  LUEUR_TRY(texture, gpu::Texture::create(
+                         device, {.name = name,
+                                  .extent = extent,
+                                  .format = encoding == Encoding::srgb ? Format::rgba8_srgb
+                                                                       : Format::rgba8,
+                                  .usage = VK_IMAGE_USAGE_SAMPLED_BIT |
+                                           VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                                  .mip_levels = static_cast<uint32_t>(levels.size())}));
+  LUEUR_TRY_VOID(uploader.to_texture(levels, chain.extents, texture));
+  return std::move(texture);
+}
+
+gpu::Address address(Wrap wrap) {
+  switch (wrap) {
+    case Wrap::repeat: return gpu::Address::repeat;
+    case Wrap::clamp_to_edge: return gpu::Address::clamp_to_edge;
+    case Wrap::mirrored_repeat: return gpu::Address::mirrored_repeat;
+  }
+  return gpu::Address::repeat;
+}
+
+bool is_mirrored(const glm::mat4& m) { return glm::determinant(glm::mat3(m)) < 0.0f; }
+
+}  // namespace
+
+std::vector<gpu::VertexAttribute> g_buffer_attributes() {
+  return {{VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
+          {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
+          {VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)},
+          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
+}
+
+std::vector<gpu::VertexAttribute> shadow_attributes() {
+  return {{VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
+          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
+}
+
+Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system, Context& context,
+                                                             const Scene& scene) {
+  std::unique_ptr<SceneOnDevice> result(new SceneOnDevice);
+  gpu::Device& device = context.recorder().device();
+  result->scene_materials_ = scene.materials;
+  result->instances_ = scene.instances;
+  std::stable_sort(result->instances_.begin(), result->instances_.end(),
+                   [](const auto& a, const auto& b) { return a.mesh < b.mesh; });
+  LUEUR_TRY_VOID(result->upload_geometry(system, device, scene));
+  LUEUR_TRY_VOID(result->upload_textures(system, device, scene));
+  result->make_materials(context.recorder(), scene);
+  return result;
+}
+
+Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& device,
+                                            const Scene& scene) {
+  std::vector<Vertex> vertices;
+  std::vector<uint32_t> indices;
+  for (const Mesh& mesh : scene.meshes) {
+    meshes_.push_back({static_cast<uint32_t>(indices.size()), static_cast<int32_t>(vertices.size())});
+    primitives_.push_back(mesh.primitives);
+    vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+    indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+  }
+  // An empty scene still binds something.
+  if (vertices.empty()) vertices.emplace_back();
+  if (indices.empty()) indices.push_back(0);
+
+  const auto vertex_bytes = std::as_bytes(std::span(vertices));
+  const auto index_bytes = std::as_bytes(std::span(indices));
+  LUEUR_TRY(vertex_buffer,
+            gpu::Buffer::create(device, {.name = "vertices",
+                                         .bytes = vertex_bytes.size(),
+                                         .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT |
+                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
+  LUEUR_TRY(index_buffer,
+            gpu::Buffer::create(device, {.name = "indices",
+                                         .bytes = index_bytes.size(),
+                                         .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
+  vertices_ = std::move(vertex_buffer);
+  indices_ = std::move(index_buffer);
+  Uploader uploader(system, device);
+  LUEUR_TRY_VOID(uploader.to_buffer(vertex_bytes, vertices_));
+  LUEUR_TRY_VOID(uploader.to_buffer(index_bytes, indices_));
+  return uploader.flush();
+}
+
+Result<void> SceneOnDevice::upload_textures(gpu::System& system, gpu::Device& device,
+                                            const Scene& scene) {
+  Uploader uploader(system, device);
+  for (const Encoding encoding : {Encoding::srgb, Encoding::linear}) {
+    const std::vector<bool> used = used_textures(scene, encoding);
+    auto& textures = encoding == Encoding::srgb ? srgb_textures_ : linear_textures_;
+    for (size_t i = 0; i < scene.textures.size(); ++i) {
+      textures.emplace_back();
+      if (!used[i]) continue;
+      const Texture& t = scene.textures[i];
+      LUEUR_TRY(texture, upload_texture(uploader, device, t.name.empty() ? "texture" : t.name,
+                                        {t.width, t.height}, t.rgba, encoding));
+      textures.back() = std::move(texture);
+    }
+  }
+  LUEUR_TRY(white, upload_texture(uploader, device, "white", {1, 1}, {255, 255, 255, 255},
+                                  Encoding::linear));
+  white_ = std::move(white);
+  return uploader.flush();
+}
+
+void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
+  for (const Material& m : scene.materials) {
+    MaterialData data{};
+    data.base_color = m.base_color;
+    data.emission = m.emission;
+    data.metallic = m.metallic;
+    data.roughness = m.roughness;
+    data.normal_scale = m.normal_scale;
+    data.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f;
+    data.has_normal_map = m.normal_texture != kNone;
+    materials_.push_back(data);
+
+    const auto bound = [&](const char* name, int32_t index, const std::vector<gpu::Texture>& from) {
+      gpu::SamplerState sampler{.filter = gpu::Filter::linear, .mipmaps = true};
+      const gpu::Texture* texture = &white_;
+      if (index != kNone) {
+        const Texture& t = scene.textures[static_cast<size_t>(index)];
+        texture = &from[static_cast<size_t>(index)];
+        sampler.u = address(t.wrap_u);
+        sampler.v = address(t.wrap_v);
+        if (t.nearest) sampler.filter = gpu::Filter::nearest;
+      }
+      return Bound{name, SampledTexture{texture}, sampler};
+    };
+    material_sets_.push_back(recorder.material_set(
+        {bound("base_color_texture", m.base_color_texture, srgb_textures_),
+         bound("metallic_roughness_texture", m.metallic_roughness_texture, linear_textures_),
+         bound("normal_texture", m.normal_texture, linear_textures_),
+         bound("emission_texture", m.emission_texture, srgb_textures_)}));
+  }
+}
+
+std::vector<InstanceData> SceneOnDevice::instances(
+    const std::vector<glm::mat4>& world_from_node,
+    const std::vector<glm::mat4>& world_from_node_before) const {
+  std::vector<InstanceData> data;
+  for (const MeshInstance& instance : instances_) {
+    const glm::mat4& now = world_from_node[static_cast<size_t>(instance.node)];
+    // A transform that flattens has no inverse; its normals are then left as they are.
+    const glm::mat3 linear(now);
+    const glm::mat3 normal = std::abs(glm::determinant(linear)) > 1e-30f
+                                 ? glm::transpose(glm::inverse(linear))
+                                 : glm::mat3(1.0f);
+    data.push_back({now, world_from_node_before[static_cast<size_t>(instance.node)], normal});
+  }
+  return data;
+}
+
+std::vector<DrawItem> SceneOnDevice::draws(const std::vector<glm::mat4>& world_from_node) const {
+  std::vector<DrawItem> items;
+  for (uint32_t first = 0; first < instances_.size();) {
+    // A run: instances of one mesh that are mirrored alike.
+    const auto mesh = static_cast<size_t>(instances_[first].mesh);
+    const auto mirrored_at = [&](uint32_t i) {
+      return is_mirrored(world_from_node[static_cast<size_t>(instances_[i].node)]);
+    };
+    uint32_t end = first + 1;
+    while (end < instances_.size() && instances_[end].mesh == instances_[first].mesh &&
+           mirrored_at(end) == mirrored_at(first))
+      ++end;
+    for (const Primitive& primitive : primitives_[mesh])
+      items.push_back({meshes_[mesh].first_index + primitive.first_index, primitive.index_count,
+                       meshes_[mesh].vertex_offset, first, end - first, primitive.material,
+                       mirrored_at(first)});
+    first = end;
+  }
+  return items;
+}
+
+}  // namespace lueur

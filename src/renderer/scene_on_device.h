@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// A scene's geometry and textures in the device's memory, and the draws that show it.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frame/recorder.h"
+#include "gpu/system.h"
+#include "renderer/params.h"
+#include "scene/scene.h"
+
+namespace lueur {
+
+// A primitive of a mesh, for a run of instances that follow each other in the instance buffer.
+struct DrawItem {
+  uint32_t first_index = 0;
+  uint32_t index_count = 0;
+  int32_t vertex_offset = 0;
+  uint32_t first_instance = 0;
+  uint32_t instance_count = 0;
+  int32_t material = 0;
+  bool mirrored = false;  // the instances' transforms turn front faces into clockwise ones
+};
+
+class SceneOnDevice {
+ public:
+  // Uploads everything, in batches, and waits for it.
+  static Result<std::unique_ptr<SceneOnDevice>> create(gpu::System& system, Context& context,
+                                                       const Scene& scene);
+
+  // Instances in drawing order at two times, for the frame's buffer.
+  std::vector<InstanceData> instances(const std::vector<glm::mat4>& world_from_node,
+                                      const std::vector<glm::mat4>& world_from_node_before) const;
+  // Draws ordered by instance run and material. `world_from_node` decides what is mirrored.
+  std::vector<DrawItem> draws(const std::vector<glm::mat4>& world_from_node) const;
+
+  const gpu::Buffer& vertices() const { return vertices_; }
+  const gpu::Buffer& indices() const { return indices_; }
+  const std::vector<MaterialData>& materials() const { return materials_; }
+  MaterialSet material_set(int32_t material) const {
+    return material_sets_[static_cast<size_t>(material)];
+  }
+  const Material& material(int32_t index) const {
+    return scene_materials_[static_cast<size_t>(index)];
+  }
+
+ private:
+  struct MeshRange {
+    uint32_t first_index = 0;
+    int32_t vertex_offset = 0;
+  };
+  SceneOnDevice() = default;
+  Result<void> upload_geometry(gpu::System& system, gpu::Device& device, const Scene& scene);
+  Result<void> upload_textures(gpu::System& system, gpu::Device& device, const Scene& scene);
+  void make_materials(Recorder& recorder, const Scene& scene);
+
+  std::vector<Material> scene_materials_;
+  std::vector<MeshInstance> instances_;  // ordered by mesh
+  std::vector<std::vector<Primitive>> primitives_;  // by mesh
+  std::vector<MeshRange> meshes_;
+  gpu::Buffer vertices_;
+  gpu::Buffer indices_;
+  // Each of the scene's textures as sRGB and as linear data; made only where a material uses it so.
+  std::vector<gpu::Texture> srgb_textures_;
+  std::vector<gpu::Texture> linear_textures_;
+  gpu::Texture white_;
+  std::vector<MaterialData> materials_;
+  std::vector<MaterialSet> material_sets_;
+};
+
+// The vertex layouts of Scene's Vertex.
+std::vector<gpu::VertexAttribute> g_buffer_attributes();
+std::vector<gpu::VertexAttribute> shadow_attributes();
+
+}  // namespace lueur

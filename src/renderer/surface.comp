@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Starts the light targets: emission is the first source radiance, specular is black; and writes
+// the diffuse albedo that the composition multiplies indirect light with.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+
+#include "renderer/params.h"
+#include "shading/brdf.h"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 0) uniform sampler2D base_color;
+layout(set = 0, binding = 1) uniform sampler2D material;
+layout(set = 0, binding = 2) uniform sampler2D emission;
+layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D albedo;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D source;
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D specular;
+layout(push_constant, scalar) uniform Push { ComposeParams p; };
+
+void main() {
+  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, p.extent))) return;
+  const vec4 color = texelFetch(base_color, pixel, 0);
+  const float metallic = texelFetch(material, pixel, 0).r;
+  imageStore(albedo, pixel, vec4(diffuse_albedo(color.rgb, metallic), color.a));
+  imageStore(source, pixel, vec4(texelFetch(emission, pixel, 0).rgb, color.a));
+  imageStore(specular, pixel, vec4(0.0));
+}

@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: MIT
+#include "scene/builtin/builtin.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace lueur {
+namespace {
+
+Scene make(const std::string& spec) {
+  Result<Scene> scene = make_builtin_scene(spec);
+  EXPECT_TRUE(scene.ok()) << scene.error().message;
+  return scene.ok() ? std::move(*scene) : Scene{};
+}
+
+// Gives vertices at the same place (within 20 µm) the same number.
+std::vector<uint32_t> weld(const Mesh& mesh) {
+  constexpr float kTolerance = 2e-5f, kCell = 1e-3f;
+  using Key = std::tuple<int, int, int>;
+  const auto key_of = [](glm::vec3 p) {
+    return Key(int(std::floor(p.x / kCell)), int(std::floor(p.y / kCell)),
+               int(std::floor(p.z / kCell)));
+  };
+  std::map<Key, std::vector<uint32_t>> grid;
+  std::vector<uint32_t> representative(mesh.vertices.size());
+  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
+    const glm::vec3 p = mesh.vertices[v].position;
+    representative[v] = v;
+    std::set<Key> near;
+    for (int k = 0; k < 8; ++k)
+      near.insert(key_of(p + glm::vec3((k & 1) != 0 ? kTolerance : -kTolerance,
+                                       (k & 2) != 0 ? kTolerance : -kTolerance,
+                                       (k & 4) != 0 ? kTolerance : -kTolerance)));
+    for (const Key& key : near) {
+      const auto cell = grid.find(key);
+      if (cell == grid.end()) continue;
+      for (const uint32_t other : cell->second)
+        if (glm::distance(mesh.vertices[other].position, p) < kTolerance) representative[v] = other;
+    }
+    if (representative[v] == v) grid[key_of(p)].push_back(v);
+  }
+  return representative;
+}
+
+// Directed edges that do not have as many partners in the other direction.
+size_t unmatched_edges(const Mesh& mesh) {
+  const std::vector<uint32_t> number = weld(mesh);
+  std::map<std::pair<uint32_t, uint32_t>, int> balance;
+  for (size_t k = 0; k < mesh.indices.size(); ++k) {
+    const size_t next = k % 3 == 2 ? k - 2 : k + 1;
+    const uint32_t a = number[mesh.indices[k]], b = number[mesh.indices[next]];
+    if (a < b) ++balance[{a, b}];
+    if (b < a) --balance[{b, a}];
+  }
+  return size_t(std::count_if(balance.begin(), balance.end(),
+                              [](const auto& edge) { return edge.second != 0; }));
+}
+
+// Volume enclosed; positive if the triangles are counter-clockwise outwards.
+double signed_volume(const Mesh& mesh) {
+  double volume = 0.0;
+  for (size_t k = 0; k < mesh.indices.size(); k += 3) {
+    const glm::dvec3 a = mesh.vertices[mesh.indices[k]].position;
+    const glm::dvec3 b = mesh.vertices[mesh.indices[k + 1]].position;
+    const glm::dvec3 c = mesh.vertices[mesh.indices[k + 2]].position;
+    volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+  }
+  return volume;
+}
+
+// The nearest hit of a ray with the scene, by looking at every triangle; infinity if none.
+float ray_distance(const Scene& scene, const std::vector<glm::mat4>& world, glm::vec3 origin,
+                   glm::vec3 direction) {
+  float nearest = INFINITY;
+  for (const MeshInstance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    for (size_t k = 0; k < mesh.indices.size(); k += 3) {
+      glm::vec3 p[3];
+      for (size_t c = 0; c < 3; ++c)
+        p[c] = glm::vec3(world[instance.node] *
+                         glm::vec4(mesh.vertices[mesh.indices[k + c]].position, 1));
+      const glm::vec3 e1 = p[1] - p[0], e2 = p[2] - p[0], q = glm::cross(direction, e2);
+      const float det = glm::dot(e1, q);
+      if (std::abs(det) < 1e-12f) continue;
+      const glm::vec3 s = origin - p[0], r = glm::cross(s, e1);
+      const float u = glm::dot(s, q) / det, v = glm::dot(direction, r) / det;
+      const float t = glm::dot(e2, r) / det;
+      if (u >= 0 && v >= 0 && u + v <= 1 && t > 1e-4f) nearest = std::min(nearest, t);
+    }
+  }
+  return nearest;
+}
+
+class EveryBuiltin : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryBuiltin, IsTheSameEveryTime) {
+  const Scene a = make(GetParam()), b = make(GetParam());
+  ASSERT_EQ(a.meshes.size(), b.meshes.size());
+  for (size_t m = 0; m < a.meshes.size(); ++m) {
+    ASSERT_EQ(a.meshes[m].vertices.size(), b.meshes[m].vertices.size());
+    EXPECT_EQ(std::memcmp(a.meshes[m].vertices.data(), b.meshes[m].vertices.data(),
+                          a.meshes[m].vertices.size() * sizeof(Vertex)),
+              0)
+        << a.meshes[m].name;
+    EXPECT_EQ(a.meshes[m].indices, b.meshes[m].indices);
+  }
+  ASSERT_EQ(a.textures.size(), b.textures.size());
+  for (size_t t = 0; t < a.textures.size(); ++t)
+    EXPECT_TRUE(a.textures[t].rgba == b.textures[t].rgba) << a.textures[t].name;
+  ASSERT_EQ(a.animation.size(), b.animation.size());
+  for (size_t c = 0; c < a.animation.size(); ++c)
+    EXPECT_EQ(a.animation[c].values, b.animation[c].values);
+}
+
+TEST_P(EveryBuiltin, HasValidIndicesAndVertices) {
+  const Scene scene = make(GetParam());
+  for (const Mesh& mesh : scene.meshes) {
+    for (const uint32_t index : mesh.indices) ASSERT_LT(index, mesh.vertices.size());
+    uint32_t covered = 0;
+    for (const Primitive& primitive : mesh.primitives) {
+      EXPECT_EQ(primitive.first_index, covered);
+      EXPECT_EQ(primitive.index_count % 3, 0u);
+      ASSERT_LT(size_t(primitive.material), scene.materials.size());
+      covered += primitive.index_count;
+    }
+    EXPECT_EQ(covered, mesh.indices.size());
+    for (const Vertex& v : mesh.vertices) {
+      ASSERT_TRUE(std::isfinite(v.position.x + v.position.y + v.position.z)) << mesh.name;
+      ASSERT_TRUE(std::isfinite(v.uv.x + v.uv.y)) << mesh.name;
+      ASSERT_NEAR(glm::length(v.normal), 1.0f, 1e-5f) << mesh.name;
+      ASSERT_NEAR(glm::length(glm::vec3(v.tangent)), 1.0f, 1e-5f) << mesh.name;
+      ASSERT_NEAR(glm::dot(v.normal, glm::vec3(v.tangent)), 0.0f, 1e-4f) << mesh.name;
+      ASSERT_EQ(std::abs(v.tangent.w), 1.0f) << mesh.name;
+    }
+  }
+}
+
+TEST_P(EveryBuiltin, IsClosedAndFacesOutwards) {
+  for (const Mesh& mesh : make(GetParam()).meshes) {
+    EXPECT_EQ(unmatched_edges(mesh), 0u) << mesh.name;
+    EXPECT_GT(signed_volume(mesh), 0.0) << mesh.name;
+  }
+}
+
+TEST_P(EveryBuiltin, NormalsAgreeWithTheWinding) {
+  for (const Mesh& mesh : make(GetParam()).meshes) {
+    size_t corners = 0, disagree = 0;
+    for (size_t k = 0; k < mesh.indices.size(); k += 3) {
+      const Vertex* v[3];
+      for (size_t c = 0; c < 3; ++c) v[c] = &mesh.vertices[mesh.indices[k + c]];
+      const glm::vec3 face =
+          glm::cross(v[1]->position - v[0]->position, v[2]->position - v[0]->position);
+      for (const Vertex* vertex : v) disagree += glm::dot(face, vertex->normal) <= 0.0f;
+      corners += 3;
+    }
+    // Where a coarse mesh cuts a tight curve, a corner may stand beyond a right angle.
+    EXPECT_LE(double(disagree), 0.01 * double(corners)) << mesh.name;
+  }
+}
+
+TEST_P(EveryBuiltin, HasNoNeedlessBulk) {
+  for (const Texture& texture : make(GetParam()).textures) {
+    EXPECT_LE(texture.width, 512u);
+    EXPECT_LE(texture.height, 512u);
+    EXPECT_EQ(texture.rgba.size(), size_t{texture.width} * texture.height * 4);
+  }
+}
+
+TEST_P(EveryBuiltin, LoopsInTenSeconds) {
+  const Scene scene = make(GetParam());
+  ASSERT_GE(scene.animation.size(), 3u);  // the camera's two channels and something else
+  EXPECT_EQ(scene.animation[0].node, scene.cameras[0].node);
+  for (const AnimationChannel& channel : scene.animation) {
+    ASSERT_EQ(channel.times_s.size(), channel.values.size());
+    EXPECT_EQ(channel.times_s.front(), 0.0f);
+    EXPECT_EQ(channel.times_s.back(), 10.0f);
+    EXPECT_TRUE(std::is_sorted(channel.times_s.begin(), channel.times_s.end()));
+    const glm::vec4 first = channel.values.front(), last = channel.values.back();
+    if (channel.path == AnimationPath::rotation) {
+      EXPECT_NEAR(std::abs(glm::dot(first, last)), 1.0f, 1e-5f);  // q and -q turn the same way
+      for (const glm::vec4& q : channel.values) EXPECT_NEAR(glm::length(q), 1.0f, 1e-5f);
+    } else {
+      EXPECT_EQ(first, last);
+    }
+  }
+}
+
+TEST_P(EveryBuiltin, CamerasSeeSomethingAtArmsLength) {
+  const Scene scene = make(GetParam());
+  ASSERT_FALSE(scene.cameras.empty());
+  for (float time_s = 0.0f; time_s < 10.0f; time_s += 2.5f) {
+    const std::vector<glm::mat4> world = pose(scene, time_s);
+    for (const Camera& camera : scene.cameras) {
+      const glm::vec3 eye = world[camera.node][3];
+      const float distance = ray_distance(scene, world, eye, -glm::vec3(world[camera.node][2]));
+      EXPECT_GT(distance, 0.5f) << camera.name << " at " << time_s << " s";
+      EXPECT_LT(distance, 30.0f) << camera.name << " at " << time_s << " s";
+    }
+  }
+}
+
+TEST_P(EveryBuiltin, LightsReachSomething) {
+  const Scene scene = make(GetParam());
+  ASSERT_FALSE(scene.lights.empty());
+  ASSERT_TRUE(scene.exposure_ev.has_value());
+  const std::vector<glm::mat4> world = pose(scene, 0.0f);
+  for (const Light& light : scene.lights) {
+    const glm::vec3 from = world[light.node][3];
+    const float distance = ray_distance(scene, world, from, -glm::vec3(world[light.node][2]));
+    ASSERT_TRUE(std::isfinite(distance)) << light.name;
+
+    // A surface of albedo 0.75 there shows between middle grey and one stop above white.
+    const float lux = light.kind == LightKind::directional
+                          ? light.intensity
+                          : light.intensity / (distance * distance);
+    const float shown = 0.75f * lux / 3.14159265f * std::exp2(*scene.exposure_ev);
+    EXPECT_GT(shown, 0.5f) << light.name;
+    EXPECT_LT(shown, 2.0f) << light.name;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Builtin, EveryBuiltin,
+                         testing::Values("atrium", "atrium:triangles=10000", "cornell",
+                                         "spot-floor"),
+                         [](const auto& instance) {
+                           std::string name;
+                           for (const char c : instance.param) name += std::isalnum(c) ? c : '_';
+                           return name;
+                         });
+
+TEST(Atrium, MeetsTheTriangleCount) {
+  for (const uint32_t triangles : {10'000u, 12'345u, 40'000u, 100'000u, 1'000'000u}) {
+    const Result<Scene> scene = make_builtin_scene("atrium", {triangles});
+    ASSERT_TRUE(scene.ok());
+    EXPECT_NEAR(double(triangle_count(*scene)), triangles, 0.1 * triangles);
+  }
+}
+
+TEST(Atrium, HasThreeCamerasAndDrapesOfThreeColors) {
+  const Scene scene = make("atrium");
+  EXPECT_EQ(scene.cameras.size(), 3u);
+  for (int channel = 0; channel < 3; ++channel) {
+    const bool found =
+        std::any_of(scene.materials.begin(), scene.materials.end(), [&](const Material& m) {
+          const glm::vec4 c = m.base_color;
+          return m.name.ends_with("cloth") && c[channel] > 4 * c[(channel + 1) % 3] &&
+                 c[channel] > 4 * c[(channel + 2) % 3];
+        });
+    EXPECT_TRUE(found) << "channel " << channel;
+  }
+}
+
+TEST(Atrium, LetsNoSunInFromOutside) {
+  // From any place under a gallery, the way to the sun must be barred or lead through the court's
+  // open roof, not through a wall, floor or ceiling.
+  const Scene scene = make("atrium:triangles=20000");
+  const std::vector<glm::mat4> world = pose(scene, 0.0f);
+  const glm::vec3 to_sun = glm::normalize(glm::vec3(world[scene.lights[0].node][2]));
+  for (float x = -11.3f; x < 11.5f; x += 1.13f) {
+    for (const float z : {-6.5f, -5.1f, 5.1f, 6.5f}) {
+      for (const float y : {0.3f, 4.2f, 5.5f, 8.8f}) {
+        const glm::vec3 from(x, y, z);
+        if (std::isfinite(ray_distance(scene, world, from, to_sun))) continue;
+        const glm::vec3 at_roof = from + to_sun * ((9.45f - y) / to_sun.y);
+        EXPECT_LT(std::abs(at_roof.z), 3.2f) << x << ' ' << y << ' ' << z;
+      }
+    }
+  }
+}
+
+TEST(Cornell, HasTheMeasuredReflectancesAndSize) {
+  const Scene scene = make("cornell");
+  std::map<std::string, glm::vec4> color;
+  for (const Material& m : scene.materials) color[m.name] = m.base_color;
+
+  // Near-constant spectra stay near their value: white about 0.74 and grey, the red wall's about
+  // 0.06 below 560 nm and 0.63 above 620 nm, the green wall's about 0.1 at both ends.
+  EXPECT_NEAR(color["white"].g, 0.736f, 0.01f);
+  EXPECT_NEAR(color["white"].r, color["white"].b, 0.01f);
+  EXPECT_LT(color["red"].g, 0.07f);
+  EXPECT_GT(color["red"].r, 0.4f);
+  EXPECT_LT(color["red"].r, 0.63f);
+  EXPECT_GT(color["green"].g, 0.35f);
+  EXPECT_LT(color["green"].g, 0.481f);  // no more than the spectrum's peak
+  EXPECT_LT(std::max(color["green"].r, color["green"].b), 0.1f);
+
+  // From the middle of the opening to the back wall is 5.592 m, floor to ceiling 5.488 m.
+  const std::vector<glm::mat4> world = pose(scene, 0.0f);
+  EXPECT_NEAR(ray_distance(scene, world, {2.78f, 5.0f, 0}, {0, 0, 1}), 5.592f, 1e-3f);
+  EXPECT_NEAR(ray_distance(scene, world, {2.78f, 0.5f, 0.3f}, {0, -1, 0}), 0.5f, 1e-3f);
+  EXPECT_NEAR(ray_distance(scene, world, {2.78f, 0.5f, 0.3f}, {0, 1, 0}), 4.988f, 1e-3f);
+}
+
+TEST(Cornell, PanelGlowsWithATwentiethOfTheLampsFlux) {
+  const Scene scene = make("cornell");
+  const Light& light = scene.lights[0];
+  const auto panel = std::find_if(scene.materials.begin(), scene.materials.end(),
+                                  [](const Material& m) { return m.emission != glm::vec3(0.0f); });
+  ASSERT_NE(panel, scene.materials.end());
+  EXPECT_LT(glm::distance(panel->emission / panel->emission.x, light.color), 1e-5f);
+
+  // Integrate the spot over its cone, ring by ring.
+  double flux = 0.0;
+  const int rings = 20'000;
+  const double c0 = std::cos(double(light.outer_cone_rad));
+  for (int k = 0; k < rings; ++k) {
+    const double c = c0 + (1 - c0) * (k + 0.5) / rings, falloff = (c - c0) / (1 - c0);
+    flux += 2 * 3.14159265358979 * light.intensity * falloff * falloff * (1 - c0) / rings;
+  }
+  EXPECT_NEAR(flux, 20 * 3.14159265358979 * panel->emission.x * 1.30 * 1.05, 1e-3 * flux);
+}
+
+TEST(SpotFloor, LightsNothingButTheFloor) {
+  // Rays within the cone meet the floor first, wherever the light stands in its loop.
+  const Scene scene = make("spot-floor");
+  const Light& spot = scene.lights[0];
+  for (const float time_s : {0.0f, 2.5f, 7.5f}) {
+    const std::vector<glm::mat4> world = pose(scene, time_s);
+    const glm::vec3 from = world[spot.node][3];
+    for (int k = 0; k < 16; ++k) {
+      const float turn = 6.2831853f * float(k) / 16.0f, radius = std::tan(spot.outer_cone_rad);
+      const glm::vec3 direction(radius * std::cos(turn), -1.0f, radius * std::sin(turn));
+      EXPECT_NEAR(ray_distance(scene, world, from, direction), from.y, 1e-3f) << k;
+    }
+  }
+}
+
+TEST(BuiltinSpec, NamesWhatIsValid) {
+  EXPECT_EQ(builtin_scenes().size(), 3u);
+  const std::map<std::string, std::string> expected = {
+      {"sponza", "atrium, cornell, spot-floor"},
+      {"", "atrium, cornell, spot-floor"},
+      {"atrium:size=3", "triangles=N"},
+      {"atrium:", "triangles=N"},
+      {"atrium:triangles=many", "10000 to 1000000"},
+      {"atrium:triangles=", "10000 to 1000000"},
+      {"atrium:triangles=-20000", "10000 to 1000000"},
+      {"atrium:triangles=20000x", "10000 to 1000000"},
+      {"atrium:triangles=99999999999", "10000 to 1000000"},
+      {"atrium:triangles=9999", "10000 to 1000000"},
+      {"atrium:triangles=1000001", "10000 to 1000000"},
+      {"cornell:triangles=20000", "'cornell' has no parameter"},
+      {"spot-floor:triangles=20000", "'spot-floor' has no parameter"},
+  };
+  for (const auto& [spec, text] : expected) {
+    const Result<Scene> scene = make_builtin_scene(spec);
+    ASSERT_FALSE(scene.ok()) << spec;
+    EXPECT_EQ(scene.error().kind, ErrorKind::usage) << spec;
+    EXPECT_NE(scene.error().message.find(text), std::string::npos) << scene.error().message;
+    EXPECT_EQ(scene.error().message.find('\n'), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace lueur

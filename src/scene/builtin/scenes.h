@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// The makers of the built-in scenes, one source file each. Callers use builtin.h.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.h"
+
+namespace lueur::builtin {
+
+// The measured Cornell box, ten times its size (5.5 m), so that it is a room.
+Scene make_cornell();
+
+// A two-storey colonnaded courtyard in the sun with coloured drapes. Draws `triangles` ± 10 %, for
+// kMinAtriumTriangles … kMaxAtriumTriangles.
+inline constexpr uint32_t kMinAtriumTriangles = 10'000;
+inline constexpr uint32_t kMaxAtriumTriangles = 1'000'000;
+inline constexpr uint32_t kDefaultAtriumTriangles = 100'000;
+Scene make_atrium(uint32_t triangles);
+
+// A spotlight turned at the floor between objects that only the floor's light reaches.
+Scene make_spot_floor();
+
+}  // namespace lueur::builtin

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Node animation of a glTF file.
+#pragma once
+
+#include <vector>
+
+#include "lueur/result.h"
+#include "scene/gltf_file.h"
+#include "scene/gltf_node.h"
+#include "scene/scene.h"
+
+namespace lueur {
+
+// Reads the first animation's translation, rotation and scale channels; cubic splines are reduced
+// to their key values, and morph weights left out, each with a warning.
+Result<std::vector<AnimationChannel>> read_animation(const GltfFile& file, const NodeTree& tree,
+                                                     Warnings& warnings);
+
+}  // namespace lueur

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <utility>
+
+#include "base/file.h"
+#include "base/try.h"
+#include "scene/gltf_uri.h"
+
+namespace lueur {
+namespace {
+
+constexpr uint32_t kGlbMagic = 0x46546C67;     // "glTF"
+constexpr uint32_t kJsonChunk = 0x4E4F534A;    // "JSON"
+constexpr uint32_t kBinaryChunk = 0x004E4942;  // "BIN\0"
+constexpr size_t kGlbHeaderBytes = 12;
+constexpr size_t kChunkHeaderBytes = 8;
+
+// Extensions that a file may call required. KHR_texture_transform is drawn without, with a warning.
+constexpr std::array kAcceptedExtensions{
+    std::string_view("KHR_lights_punctual"), std::string_view("KHR_materials_emissive_strength"),
+    std::string_view("KHR_mesh_quantization"), std::string_view("KHR_texture_transform")};
+
+struct Remedy {
+  std::string_view extension;
+  std::string_view advice;
+};
+constexpr std::array kRemedies{
+    Remedy{"KHR_draco_mesh_compression",
+           "re-export without Draco compression, or run 'gltf-transform copy in.glb out.glb'"},
+    Remedy{"EXT_meshopt_compression",
+           "re-export without meshopt compression, or run 'gltf-transform copy in.glb out.glb'"},
+    Remedy{"KHR_texture_basisu",
+           "re-export with PNG or JPEG textures, or run 'gltf-transform ktxdecompress'"},
+    Remedy{"EXT_texture_webp",
+           "re-export with PNG or JPEG textures, or run 'gltf-transform png in.glb out.glb'"},
+    Remedy{"EXT_mesh_gpu_instancing", "re-export with one node for each instance"},
+    Remedy{"KHR_materials_pbrSpecularGlossiness",
+           "run 'gltf-transform metalrough in.glb out.glb'"}};
+
+uint32_t read_u32(std::span<const uint8_t> bytes, size_t offset) {
+  uint32_t value = 0;
+  for (size_t i = 0; i < 4; ++i) value |= uint32_t{bytes[offset + i]} << (8 * i);
+  return value;
+}
+
+bool is_accepted(std::string_view extension) {
+  return std::find(kAcceptedExtensions.begin(), kAcceptedExtensions.end(), extension) !=
+         kAcceptedExtensions.end();
+}
+
+}  // namespace
+
+std::string remedy_for(std::string_view extension) {
+  for (const Remedy& remedy : kRemedies)
+    if (remedy.extension == extension) return std::string(remedy.advice);
+  return "re-export without it";
+}
+
+void Warnings::add(const std::string& line) {
+  constexpr size_t kMaxLines = 64;
+  if (lines_.size() >= kMaxLines) return;
+  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
+}
+
+Result<GltfFile> GltfFile::open(const std::filesystem::path& path, const LoadLimits& limits) {
+  GltfFile file;
+  file.name_ = path.string();
+  file.folder_ = path.parent_path();
+  file.limits_ = limits;
+  LUEUR_TRY(bytes, read_file(path, limits.file_bytes));
+  file.bytes_ = std::move(bytes);
+  file.bytes_read_ = file.bytes_.size();
+
+  // Tell the two containers apart by content; names lie.
+  file.json_text_ = file.bytes_;
+  if (file.bytes_.size() >= 4 && read_u32(file.bytes_, 0) == kGlbMagic)
+    LUEUR_TRY_VOID(file.split_glb());
+
+  const std::string_view text(reinterpret_cast<const char*>(file.json_text_.data()),
+                              file.json_text_.size());
+  LUEUR_TRY(json, parse_json(text, file.name_, limits.json_depth, limits.json_values));
+  file.json_ = std::move(json);
+  LUEUR_TRY_VOID(file.check_header());
+  LUEUR_TRY_VOID(file.read_buffers());
+  return file;
+}
+
+Result<void> GltfFile::split_glb() {
+  const auto refuse = [this](const std::string& what) {
+    return Error{ErrorKind::input, name_ + ": " + what + "; copy or export the file again"};
+  };
+  if (bytes_.size() < kGlbHeaderBytes) return refuse("GLB header is truncated");
+  if (const uint32_t version = read_u32(bytes_, 4); version != 2)
+    return refuse("GLB version " + std::to_string(version) + " is not 2");
+  const uint64_t length = read_u32(bytes_, 8);
+  if (length > bytes_.size())
+    return refuse("GLB header tells " + std::to_string(length) + " bytes, the file has " +
+                  std::to_string(bytes_.size()));
+
+  // Walk the chunks: JSON comes first, then at most one binary chunk; unknown ones are skipped.
+  const std::span<const uint8_t> all = std::span(bytes_).first(length);
+  size_t offset = kGlbHeaderBytes;
+  bool has_json = false;
+  while (offset < all.size()) {
+    if (all.size() - offset < kChunkHeaderBytes) return refuse("GLB chunk header is truncated");
+    const uint64_t chunk_bytes = read_u32(all, offset);
+    const uint32_t type = read_u32(all, offset + 4);
+    offset += kChunkHeaderBytes;
+    if (chunk_bytes > all.size() - offset)
+      return refuse("GLB chunk tells " + std::to_string(chunk_bytes) + " bytes, " +
+                    std::to_string(all.size() - offset) + " are left");
+    const std::span<const uint8_t> chunk = all.subspan(offset, chunk_bytes);
+    if (!has_json && type != kJsonChunk) return refuse("GLB does not start with a JSON chunk");
+    if (type == kJsonChunk && !has_json) {
+      json_text_ = chunk;
+      has_json = true;
+    } else if (type == kBinaryChunk && !binary_chunk_) {
+      binary_chunk_ = chunk;
+    }
+    // Step over the padding that a writer may have left out of the length.
+    offset = std::min<size_t>((offset + chunk_bytes + 3) & ~size_t{3}, all.size());
+  }
+  if (!has_json) return refuse("GLB has no JSON chunk");
+  return {};
+}
+
+Result<void> GltfFile::check_header() const {
+  const JsonCursor top = root();
+  LUEUR_TRY(asset, top.object("asset"));
+  LUEUR_TRY(version, asset.text("version", ""));
+  if (!version.starts_with("2."))
+    return asset.error("version", version.empty() ? "is missing; this is not a glTF 2.0 file"
+                                                  : in_quotes(version) +
+                                                        " is not 2.x; convert the "
+                                                        "file to glTF 2.0");
+  LUEUR_TRY(min_version, asset.text("minVersion", "2.0"));
+  if (min_version != "2.0")
+    return asset.error("minVersion", in_quotes(min_version) + " is newer than 2.0");
+
+  LUEUR_TRY(required, top.texts("extensionsRequired"));
+  for (const std::string& extension : required) {
+    if (is_accepted(extension)) continue;
+    return top.error("extensionsRequired",
+                     printable(extension) + " is not supported; " + remedy_for(extension));
+  }
+  return {};
+}
+
+Result<void> GltfFile::read_buffers() {
+  const JsonCursor top = root();
+  LUEUR_TRY(buffers, top.array("buffers"));
+  buffers_.resize(buffers.size());
+  for (size_t i = 0; i < buffers.size(); ++i) {
+    LUEUR_TRY(buffer, buffers.element(i));
+    LUEUR_TRY(length, buffer.required_count("byteLength", limits_.file_bytes));
+    std::span<const uint8_t> bytes;
+    if (buffer.has("uri")) {
+      LUEUR_TRY(uri, buffer.text("uri", ""));
+      LUEUR_TRY(storage, read_uri(uri, buffer));
+      buffers_[i].storage = std::move(storage);
+      bytes = buffers_[i].storage;
+    } else if (i == 0 && binary_chunk_) {
+      bytes = *binary_chunk_;
+    } else {
+      continue;  // refused only if something reads from it
+    }
+    if (length > bytes.size())
+      return buffer.error("byteLength", std::to_string(length) + " is more than the " +
+                                            std::to_string(bytes.size()) +
+                                            " bytes there are; the file is truncated");
+    buffers_[i].bytes = bytes.first(length);
+  }
+  return {};
+}
+
+size_t GltfFile::size_of(const char* key) const {
+  const auto found = json_.find(key);
+  return found != json_.end() && found->is_array() ? found->size() : 0;
+}
+
+Result<GltfFile::View> GltfFile::view(int32_t view) const {
+  constexpr uint64_t kMaxStride = 252;
+  const JsonCursor top = root();
+  LUEUR_TRY(views, top.array("bufferViews"));
+  LUEUR_TRY(at, views.element(static_cast<size_t>(view)));
+  LUEUR_TRY(buffer, at.required_index("buffer", buffers_.size(), "buffers"));
+  const std::optional<std::span<const uint8_t>>& bytes =
+      buffers_[static_cast<size_t>(buffer)].bytes;
+  if (!bytes)
+    return at.error("buffer", "buffer " + std::to_string(buffer) +
+                                  " has neither a uri nor a GLB chunk; re-export the file");
+  LUEUR_TRY(offset, at.count("byteOffset", 0, limits_.file_bytes));
+  LUEUR_TRY(length, at.required_count("byteLength", limits_.file_bytes));
+  LUEUR_TRY(stride, at.count("byteStride", 0, kMaxStride));
+  if (offset > bytes->size() || length > bytes->size() - offset)
+    return at.error("bytes " + std::to_string(offset) + " to " + std::to_string(offset + length) +
+                    " are not all within the buffer's " + std::to_string(bytes->size()) +
+                    "; re-export the file");
+  return View{bytes->subspan(offset, length), static_cast<uint32_t>(stride)};
+}
+
+Result<std::vector<uint8_t>> GltfFile::read_uri(const std::string& uri, const JsonCursor& at) {
+  if (is_data_uri(uri)) {
+    auto data = decode_data_uri(uri);
+    if (!data.ok()) return at.error("uri", data.error().message);
+    return data;
+  }
+  const auto path = confined_path(folder_, uri);
+  if (!path.ok()) return at.error("uri", path.error().message);
+  auto bytes = read_file(*path, limits_.file_bytes - std::min(bytes_read_, limits_.file_bytes));
+  if (!bytes.ok()) return at.error("uri", bytes.error().message);
+  bytes_read_ += bytes->size();
+  return bytes;
+}
+
+}  // namespace lueur

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "scene/gltf_material.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "base/try.h"
+
+namespace lueur {
+
+Result<GltfMaterials::Use> GltfMaterials::use(int32_t index) {
+  if (const auto known = uses_.find(index); known != uses_.end()) return known->second;
+  Use use;
+  Material material;
+  material.name = "default";
+  if (index != kNone) {
+    const JsonCursor top = file_->root();
+    LUEUR_TRY(materials, top.array("materials"));
+    LUEUR_TRY(at, materials.element(static_cast<size_t>(index)));
+    LUEUR_TRY(read_material, read(at));
+    material = std::move(read_material);
+    LUEUR_TRY(uv_set, read_uv_set(at));
+    use.uv_set = uv_set;
+    if (material.name.empty()) material.name = "material " + std::to_string(index);
+  }
+  use.material = static_cast<int32_t>(materials_.size());
+  materials_.push_back(std::move(material));
+  uses_[index] = use;
+  return use;
+}
+
+std::vector<Material> GltfMaterials::take() {
+  if (materials_.empty()) materials_.push_back({.name = "default"});
+  return std::move(materials_);
+}
+
+Result<float> GltfMaterials::unit_number(const JsonCursor& at, const char* key, float fallback) {
+  LUEUR_TRY(value, at.number(key, fallback));
+  if (value < 0.0f || value > 1.0f) warnings_->add("material factors outside 0 to 1 are clamped");
+  return std::clamp(value, 0.0f, 1.0f);
+}
+
+Result<Material> GltfMaterials::read(const JsonCursor& at) {
+  Material material;
+  LUEUR_TRY(name, at.text("name", ""));
+  material.name = name;
+  LUEUR_TRY(pbr, at.object("pbrMetallicRoughness"));
+  std::array<float, 4> color{1.0f, 1.0f, 1.0f, 1.0f};
+  LUEUR_TRY_VOID(pbr.numbers("baseColorFactor", color));
+  for (int i = 0; i < 4; ++i) {
+    const float value = color[static_cast<size_t>(i)];
+    material.base_color[i] = std::clamp(value, 0.0f, 1.0f);
+    if (value != material.base_color[i])
+      warnings_->add("material factors outside 0 to 1 are clamped");
+  }
+  LUEUR_TRY(metallic, unit_number(pbr, "metallicFactor", 1.0f));
+  LUEUR_TRY(roughness, unit_number(pbr, "roughnessFactor", 1.0f));
+  material.metallic = metallic;
+  material.roughness = roughness;
+
+  // Emission is a factor times a strength; older files put all of it into the factor.
+  std::array<float, 3> emission{};
+  LUEUR_TRY_VOID(at.numbers("emissiveFactor", emission));
+  LUEUR_TRY(extensions, at.object("extensions"));
+  LUEUR_TRY(strength_at, extensions.object("KHR_materials_emissive_strength"));
+  LUEUR_TRY(strength, strength_at.number("emissiveStrength", 1.0f));
+  constexpr float kMaxRadiance = 1e9f;  // the sun's disc
+  for (int i = 0; i < 3; ++i) {
+    const float radiance = emission[static_cast<size_t>(i)] * strength;
+    if (!(radiance >= 0.0f && radiance <= kMaxRadiance))
+      return at.error("emissiveFactor", "times emissiveStrength has to be 0 to 1e9 cd/m2");
+    material.emission[i] = radiance;
+  }
+  LUEUR_TRY(double_sided, at.boolean("doubleSided", false));
+  material.double_sided = double_sided;
+  LUEUR_TRY_VOID(read_textures(at, pbr, material));
+  LUEUR_TRY_VOID(read_alpha(at, material));
+  return material;
+}
+
+Result<void> GltfMaterials::read_textures(const JsonCursor& at, const JsonCursor& pbr,
+                                          Material& material) {
+  LUEUR_TRY(base_color, textures_->use(pbr, "baseColorTexture"));
+  LUEUR_TRY(metallic_roughness, textures_->use(pbr, "metallicRoughnessTexture"));
+  LUEUR_TRY(normal, textures_->use(at, "normalTexture"));
+  LUEUR_TRY(emission, textures_->use(at, "emissiveTexture"));
+  LUEUR_TRY(normal_info, at.object("normalTexture"));
+  LUEUR_TRY(normal_scale, normal_info.number("scale", 1.0f));
+  material.base_color_texture = base_color;
+  material.metallic_roughness_texture = metallic_roughness;
+  material.normal_texture = normal;
+  material.emission_texture = emission;
+  material.normal_scale = normal_scale;
+  return {};
+}
+
+Result<void> GltfMaterials::read_alpha(const JsonCursor& at, Material& material) {
+  LUEUR_TRY(mode, at.text("alphaMode", "OPAQUE"));
+  if (mode == "MASK") {
+    LUEUR_TRY(cutoff, at.number("alphaCutoff", 0.5f));
+    material.alpha_mode = AlphaMode::mask;
+    material.alpha_cutoff = cutoff;
+  } else if (mode == "BLEND") {
+    material.alpha_mode = AlphaMode::mask;
+    warnings_->add("alpha blending is not supported: blended materials are cut out at alpha 0.5");
+  } else if (mode != "OPAQUE") {
+    return at.error("alphaMode", in_quotes(mode) + " is not OPAQUE, MASK or BLEND");
+  }
+  return {};
+}
+
+// A vertex has one set of texture coordinates: the base colour's, or the first texture's.
+Result<uint32_t> GltfMaterials::read_uv_set(const JsonCursor& at) {
+  constexpr uint64_t kMaxUvSet = 64;
+  std::optional<uint64_t> chosen;
+  LUEUR_TRY(pbr, at.object("pbrMetallicRoughness"));
+  const std::array<std::pair<const JsonCursor*, const char*>, 4> infos{
+      {{&pbr, "baseColorTexture"},
+       {&at, "normalTexture"},
+       {&pbr, "metallicRoughnessTexture"},
+       {&at, "emissiveTexture"}}};
+  for (const auto& [parent, key] : infos) {
+    if (!parent->has(key)) continue;
+    LUEUR_TRY(info, parent->object(key));
+    LUEUR_TRY(set, info.count("texCoord", 0, kMaxUvSet));
+    if (chosen && *chosen != set)
+      warnings_->add(
+          "a material uses several sets of texture coordinates: all its textures are "
+          "drawn with the first");
+    if (!chosen) chosen = set;
+  }
+  return static_cast<uint32_t>(chosen.value_or(0));
+}
+
+}  // namespace lueur

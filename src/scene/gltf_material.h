@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The materials that the primitives in use ask for.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "lueur/result.h"
+#include "scene/gltf_file.h"
+#include "scene/gltf_texture.h"
+#include "scene/scene.h"
+
+namespace lueur {
+
+class GltfMaterials {
+ public:
+  struct Use {
+    int32_t material = 0;  // in Scene::materials
+    uint32_t uv_set = 0;   // the TEXCOORD_n its textures are addressed with
+  };
+
+  GltfMaterials(const GltfFile& file, GltfTextures& textures, Warnings& warnings)
+      : file_(&file), textures_(&textures), warnings_(&warnings) {}
+
+  // Reads material `index` of the file when it is first asked for. kNone is glTF's default
+  // material.
+  Result<Use> use(int32_t index);
+
+  // All that were used, at least one.
+  std::vector<Material> take();
+
+ private:
+  Result<Material> read(const JsonCursor& at);
+  Result<void> read_textures(const JsonCursor& at, const JsonCursor& pbr, Material& material);
+  Result<void> read_alpha(const JsonCursor& at, Material& material);
+  Result<uint32_t> read_uv_set(const JsonCursor& at);
+  Result<float> unit_number(const JsonCursor& at, const char* key, float fallback);
+
+  const GltfFile* file_;
+  GltfTextures* textures_;
+  Warnings* warnings_;
+  std::vector<Material> materials_;
+  std::map<int32_t, Use> uses_;
+};
+
+}  // namespace lueur

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+
+namespace lueur {
+namespace {
+
+// Time within one loop of the longest channel.
+float looped_time(const std::vector<AnimationChannel>& animation, float time_s) {
+  float duration_s = 0.0f;
+  for (const AnimationChannel& channel : animation)
+    if (!channel.times_s.empty()) duration_s = std::max(duration_s, channel.times_s.back());
+  if (!(duration_s > 0.0f) || !std::isfinite(time_s)) return 0.0f;
+  const float rest_s = std::fmod(time_s, duration_s);
+  return rest_s < 0.0f ? rest_s + duration_s : rest_s;
+}
+
+glm::quat as_quaternion(const glm::vec4& xyzw) {
+  return {xyzw.w, xyzw.x, xyzw.y, xyzw.z};
+}
+
+// The channel's value; before the first and after the last key frame that one's.
+glm::vec4 sample(const AnimationChannel& channel, float time_s) {
+  const auto after = std::upper_bound(channel.times_s.begin(), channel.times_s.end(), time_s);
+  if (after == channel.times_s.begin()) return channel.values.front();
+  if (after == channel.times_s.end()) return channel.values.back();
+  const size_t next = static_cast<size_t>(after - channel.times_s.begin());
+  const glm::vec4& from = channel.values[next - 1];
+  const glm::vec4& to = channel.values[next];
+  if (channel.step) return from;
+  const float start_s = channel.times_s[next - 1];
+  const float blend = (time_s - start_s) / (channel.times_s[next] - start_s);
+  if (channel.path != AnimationPath::rotation) return glm::mix(from, to, blend);
+  const glm::quat rotation = glm::slerp(as_quaternion(from), as_quaternion(to), blend);
+  return {rotation.x, rotation.y, rotation.z, rotation.w};
+}
+
+void apply(const AnimationChannel& channel, float time_s, Node& node) {
+  const glm::vec4 value = sample(channel, time_s);
+  switch (channel.path) {
+    case AnimationPath::translation:
+      node.translation = glm::vec3(value);
+      break;
+    case AnimationPath::rotation:
+      node.rotation = glm::normalize(as_quaternion(value));
+      break;
+    case AnimationPath::scale:
+      node.scale = glm::vec3(value);
+      break;
+  }
+}
+
+glm::mat4 local_transform(const Node& node) {
+  if (node.matrix) return *node.matrix;
+  const glm::mat4 moved = glm::translate(glm::mat4(1.0f), node.translation);
+  return glm::scale(moved * glm::mat4_cast(node.rotation), node.scale);
+}
+
+void grow(Bounds& box, const glm::vec3& point) {
+  box.min = glm::min(box.min, point);
+  box.max = glm::max(box.max, point);
+}
+
+}  // namespace
+
+std::vector<glm::mat4> pose(const Scene& scene, float time_s) {
+  std::vector<glm::mat4> world_from_node(scene.nodes.size());
+  const auto place = [&](size_t i, const Node& node) {
+    const glm::mat4 local = local_transform(node);
+    world_from_node[i] =
+        node.parent == kNone ? local : world_from_node[static_cast<size_t>(node.parent)] * local;
+  };
+  if (scene.animation.empty()) {
+    for (size_t i = 0; i < scene.nodes.size(); ++i) place(i, scene.nodes[i]);
+    return world_from_node;
+  }
+
+  // Copy the nodes and move the copies: the scene keeps its rest pose.
+  std::vector<Node> nodes = scene.nodes;
+  const float loop_s = looped_time(scene.animation, time_s);
+  for (const AnimationChannel& channel : scene.animation)
+    if (!channel.times_s.empty()) apply(channel, loop_s, nodes[static_cast<size_t>(channel.node)]);
+  for (size_t i = 0; i < nodes.size(); ++i) place(i, nodes[i]);
+  return world_from_node;
+}
+
+Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const Bounds nothing{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+  Bounds box = nothing;
+  for (const MeshInstance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
+    const glm::mat4& world = world_from_node[static_cast<size_t>(instance.node)];
+    // Take only vertices that are drawn: files keep stray ones.
+    for (const uint32_t index : mesh.indices)
+      grow(box, glm::vec3(world * glm::vec4(mesh.vertices[index].position, 1.0f)));
+  }
+  return box.min.x <= box.max.x ? box : Bounds{};
+}
+
+uint64_t triangle_count(const Scene& scene) {
+  uint64_t count = 0;
+  for (const MeshInstance& instance : scene.instances)
+    for (const Primitive& primitive : scene.meshes[static_cast<size_t>(instance.mesh)].primitives)
+      count += primitive.index_count / 3;
+  return count;
+}
+
+}  // namespace lueur

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// How much of what a small patch radiates arrives at a point.
+#ifndef LUEUR_SHADING_FORM_FACTOR_H
+#define LUEUR_SHADING_FORM_FACTOR_H
+
+#include "shading/gpu.h"
+
+LUEUR_NAMESPACE_BEGIN
+
+// cos(alpha) / cos(beta) in HSSIL (2): how much larger a surface seen in a pixel is than a
+// screen-parallel one at its depth. With the pixel's ray v = (x, y, -1), cos(alpha) = 1 / |v| and
+// cos(beta) = -n.v / |v|, so the ratio is 1 / -n.v. `most` bounds it: a pixel that sees its surface
+// edge-on says little about the surface's area.
+LUEUR_SHARED float foreshortening(vec3 normal_view, vec2 ray, float most) {
+  const float facing = normal_view.z - normal_view.x * ray.x - normal_view.y * ray.y;
+  return 1.0f / max(facing, 1.0f / most);
+}
+
+// Irradiance over pi that a patch of radiance 1 gives to a point: HSSIL (4), point to disc.
+//   cos(theta) cos(theta') ds / (pi r^2)  ~  R^2 cos(theta) / (r^2 + R^2),  R^2 = cos(theta') ds / pi
+// `to_patch` goes from the receiver to the patch; normals are unit; area_over_pi = ds / pi. Exact for
+// a parallel disc above the receiver, and never above 1.
+LUEUR_SHARED float disc_form_factor(vec3 to_patch, vec3 normal_receiver, vec3 normal_patch,
+                                    float area_over_pi) {
+  const float r2 = max(dot(to_patch, to_patch), 1e-20f);
+  const float inverse_r = inversesqrt(r2);
+  const float cos_receiver = max(dot(normal_receiver, to_patch) * inverse_r, 0.0f);
+  const float cos_patch = max(-dot(normal_patch, to_patch) * inverse_r, 0.0f);
+  const float disc_r2 = cos_patch * area_over_pi;
+  return disc_r2 * cos_receiver / (r2 + disc_r2);
+}
+
+// The same by HSSIL (3), point to differential area: grows without bound as r goes to 0.
+LUEUR_SHARED float point_form_factor(vec3 to_patch, vec3 normal_receiver, vec3 normal_patch,
+                                     float area_over_pi) {
+  const float r2 = max(dot(to_patch, to_patch), 1e-20f);
+  const float inverse_r = inversesqrt(r2);
+  const float cos_receiver = max(dot(normal_receiver, to_patch) * inverse_r, 0.0f);
+  const float cos_patch = max(-dot(normal_patch, to_patch) * inverse_r, 0.0f);
+  return cos_receiver * cos_patch * area_over_pi / r2;
+}
+
+LUEUR_NAMESPACE_END
+
+#endif

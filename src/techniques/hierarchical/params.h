@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What the passes get from the CPU.
+#ifndef LUEUR_HIERARCHICAL_PARAMS_H
+#define LUEUR_HIERARCHICAL_PARAMS_H
+
+#include "shading/screen.h"
+
+LUEUR_NAMESPACE_BEGIN
+
+// cos(alpha)/cos(beta) is bounded by this: pixels that see their surface at less than 2.9 degrees
+// count as if it were 2.9.
+const float kMostForeshortening = 20.0f;
+// See bilateral_weight(): 2 % of the depth.
+const float kFlatness = 0.02f;
+
+struct PrepareParams {
+  Screen screen;
+  mat3 view_from_world;  // rotation, for normals
+  ivec2 full_extent;     // of the G-buffer, pixels
+  ivec2 extent;          // of the level that is written
+  int factor;            // pixels of the G-buffer a side of one level pixel: 1, 2 or 4
+};
+
+struct DownsampleParams {
+  Screen screen;      // of the level that is written
+  vec2 fine_scale;    // ray_scale of the level that is read
+  ivec2 fine_extent;
+  ivec2 extent;
+};
+
+struct GatherParams {
+  Screen screen;
+  ivec2 extent;
+  float inner_px;
+  float outer_px;
+  // Solid area that a sample stands for at z = 1, over pi:
+  // ring area / samples * |ray_scale.x * ray_scale.y| / pi, of the level.   HSSIL (2)
+  float area_over_pi;
+  uint samples;
+  uint level;
+  uint seed;
+  uint rotate;  // 0 or 1
+  uint point;   // 1: HSSIL (3) instead of (4)
+};
+
+struct FilterParams {
+  Screen screen;
+  ivec2 extent;
+};
+
+struct UpsampleParams {
+  Screen screen;       // of the fine level
+  vec2 coarse_scale;   // ray_scale of the coarse level
+  ivec2 extent;        // fine, pixels
+  ivec2 coarse_extent;
+  float own_weight;    // 1: add the fine level's own light, 0: do not
+};
+
+struct OutputParams {
+  Screen screen;         // of the full image
+  mat3 view_from_world;
+  vec2 coarse_scale;
+  ivec2 extent;          // of the full image
+  ivec2 coarse_extent;
+  int factor;            // pixels of the full image a side of one coarse pixel
+  float alpha_scale;     // 1 / number of levels gathered
+};
+
+LUEUR_NAMESPACE_END
+
+#endif

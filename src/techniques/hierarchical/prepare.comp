@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The engine's G-buffer -> level 0 of the pyramid.
+//
+// Position and normal of factor x factor pixels by the filter in pyramid.glsl; radiance is averaged.
+#version 460
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shading/packing.h"
+#include "techniques/hierarchical/pyramid.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(set = 0, binding = 0) uniform sampler2D depth;
+layout(set = 0, binding = 1) uniform sampler2D normal;
+layout(set = 0, binding = 2) uniform sampler2D source;
+layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D geometry_out;
+layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D source_out;
+layout(set = 0, binding = 5, scalar) uniform Params { PrepareParams value; } params;
+
+// Normal in view space and z of a pixel of the G-buffer; 0 where there is no surface.
+vec4 load(ivec2 child) {
+  const PrepareParams p = params.value;
+  if (any(greaterThanEqual(child, p.full_extent))) return vec4(0.0);
+  const float d = texelFetch(depth, child, 0).r;
+  if (d == p.screen.depth_of_nothing) return vec4(0.0);
+  return vec4(p.view_from_world * octahedral_decode(texelFetch(normal, child, 0).rg),
+              z_from_depth(p.screen, d));
+}
+
+void main() {
+  const PrepareParams p = params.value;
+  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(pixel, p.extent))) return;
+
+  vec4 nearest = vec4(0.0, 0.0, 0.0, kNothingZ);
+  ivec2 nearest_child = ivec2(0);
+  vec3 radiance = vec3(0.0);
+  for (int y = 0; y < p.factor; ++y) {
+    for (int x = 0; x < p.factor; ++x) {
+      const ivec2 child = pixel * p.factor + ivec2(x, y);
+      const vec4 g = load(child);
+      if (g.w == 0.0) continue;
+      radiance += texelFetch(source, child, 0).rgb;
+      if (g.w < nearest.w) {
+        nearest = g;
+        nearest_child = child;
+      }
+    }
+  }
+  // Pixels without a surface, and those beyond the image's edge, count as black: the sum of
+  // radiance times area is the same at every level.
+  radiance /= float(p.factor * p.factor);
+
+  const vec2 ray = ray_through(p.screen, (vec2(pixel) + 0.5) * float(p.factor));
+  const vec2 nearest_ray = ray_through(p.screen, vec2(nearest_child) + 0.5);
+  SurfaceSum sum = SurfaceSum(vec3(0.0), 0.0, 0.0);
+  for (int y = 0; y < p.factor; ++y) {
+    for (int x = 0; x < p.factor; ++x) {
+      const ivec2 child = pixel * p.factor + ivec2(x, y);
+      const vec4 g = load(child);
+      if (g.w > 0.0)
+        add_to_surface(sum, nearest, nearest_ray, g, ray_through(p.screen, vec2(child) + 0.5), ray);
+    }
+  }
+  const vec4 surface = surface_mean(sum);
+  write_level(pixel, surface, ray, radiance);
+}

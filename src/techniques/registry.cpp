@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// The list of techniques: one line each.
+#include "lueur/hierarchical.h"
+
+namespace lueur {
+namespace {
+
+template <class T>
+std::unique_ptr<Technique> make() {
+  return std::make_unique<T>();
+}
+
+const TechniqueInfo kTechniques[] = {
+    {"hierarchical", "Rings of samples in a pyramid of the camera's own G-buffer.",
+     "Soler, Hoel, Rochet, Holzschuch 2009, INRIA RR-7162", Hierarchical::settings_table(),
+     make<Hierarchical>},
+};
+
+}  // namespace
+
+std::span<const TechniqueInfo> techniques() { return kTechniques; }
+
+const TechniqueInfo* find_technique(std::string_view name) {
+  for (const TechniqueInfo& info : kTechniques)
+    if (info.name == name) return &info;
+  return nullptr;
+}
+
+}  // namespace lueur

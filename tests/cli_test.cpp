@@ -1,0 +1,403 @@
+// SPDX-License-Identifier: MIT
+// The program as a user and a script meet it: exit codes, streams, files, reports.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "base/file.h"
+#include "image/exr.h"
+#include "image/png.h"
+
+namespace lueur {
+namespace {
+
+namespace fs = std::filesystem;
+using Arguments = std::vector<std::string>;
+
+struct Ended {
+  int code = -1;  // -1: by a signal
+  std::string out;
+  std::string err;
+};
+
+std::string text_of(const fs::path& path) {
+  const auto bytes = read_file(path, uint64_t{1} << 30);
+  return bytes.ok() ? std::string(bytes->begin(), bytes->end()) : std::string();
+}
+
+size_t line_count(const std::string& text) {
+  return static_cast<size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+// Each test works in an empty folder of its own. Compiled pipelines are kept from test to test, in
+// a folder beside it, and not where the user's are.
+class Cli : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    std::string name = (fs::temp_directory_path() / "lueur_cli_test_XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    base_ = name;
+  }
+  static void TearDownTestSuite() { fs::remove_all(base_); }
+
+  void SetUp() override {
+    folder_ = base_ / testing::UnitTest::GetInstance()->current_test_info()->name();
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  // Runs the program in the folder. Its stdout goes to the file `out`; "" closes it.
+  Ended run(const Arguments& arguments, const std::string& out = "stdout") const {
+    const std::string cache = (base_ / "cache").string();
+    std::vector<char*> argv = {const_cast<char*>(LUEUR_PROGRAM)};
+    for (const std::string& argument : arguments)
+      argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    const pid_t child = ::fork();
+    if (child == 0) {
+      if (::chdir(folder_.c_str()) != 0) ::_exit(126);
+      ::setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+      const int err = ::open("stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
+      ::dup2(err, STDERR_FILENO);
+      ::close(STDOUT_FILENO);
+      if (!out.empty() && ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) != STDOUT_FILENO)
+        ::_exit(126);
+      ::execv(LUEUR_PROGRAM, argv.data());
+      ::_exit(127);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    Ended ended;
+    ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    if (out == "stdout") ended.out = text_of(folder_ / "stdout");
+    ended.err = text_of(folder_ / "stderr");
+    fs::remove(folder_ / "stdout");
+    fs::remove(folder_ / "stderr");
+    return ended;
+  }
+
+  // Expects the exit code, nothing on stdout, and one line on stderr that holds `part`.
+  void expect_error(int code, const Arguments& arguments, const std::string& part = "") const {
+    const Ended ended = run(arguments);
+    std::string line;
+    for (const std::string& argument : arguments) line += " '" + argument + "'";
+    EXPECT_EQ(ended.code, code) << line << "\n" << ended.err;
+    EXPECT_EQ(ended.out, "") << line;
+    EXPECT_EQ(line_count(ended.err), 1u) << line << "\n" << ended.err;
+    EXPECT_TRUE(ended.err.starts_with("lueur: error: ")) << ended.err;
+    EXPECT_NE(ended.err.find(part), std::string::npos) << part << " is not in " << ended.err;
+  }
+
+  Ended render(Arguments more) const {
+    Arguments arguments = {"render", "cornell", "--size", "64x36"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+
+  size_t file_count() const {
+    return static_cast<size_t>(
+        std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+  }
+
+  static inline fs::path base_;
+  fs::path folder_;
+};
+
+TEST_F(Cli, HelpAndVersionGoToStdout) {
+  EXPECT_EQ(run({"--version"}).out.find("lueur "), 0u);
+  for (const Arguments& command : {Arguments{},
+                                   {"render"},
+                                   {"bench"},
+                                   {"devices"},
+                                   {"techniques"},
+                                   {"scene"},
+                                   {"scene", "list"},
+                                   {"scene", "info"},
+                                   {"scene", "export"}}) {
+    Arguments arguments = command;
+    arguments.push_back("--help");
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.code, 0);
+    EXPECT_EQ(ended.err, "");
+    EXPECT_NE(ended.out.find("Examples:"), std::string::npos);
+    EXPECT_NE(ended.out.find("Exit codes:"), std::string::npos);
+  }
+}
+
+TEST_F(Cli, UsageErrorsAreOneLine) {
+  expect_error(2, {}, "render");
+  expect_error(2, {"rendre"}, "rendre");
+  expect_error(2, {"scene", "explode"}, "explode");
+  expect_error(2, {"render"}, "SCENE");
+  expect_error(2, {"render", "cornell"}, "-o");
+  expect_error(2, {"render", "cornel", "-o", "x.png"}, "cornell");
+  expect_error(2, {"render", "cor\nnell", "-o", "x.png"}, "cornell");
+  expect_error(2, {"render", "cornell", "-o", "x.jpg"}, ".png");
+  expect_error(2, {"render", "cornell", "-o", "x.png", "-o", "x.png"}, "twice");
+  expect_error(2, {"render", "cornell", "-o", "x.exr", "--size", "16384x16384"}, "x.exr");
+  for (const char* size : {"0x0", "1e9x1", "-5x3", "12", "12x", "x12", "16385x1", "1x16385",
+                           "4294967297x1", "99999999999999999999x1", "1x1x1", "", " 1x1", "1 x 1"})
+    expect_error(2, {"render", "cornell", "-o", "x.png", "--size", size}, "--size");
+  const std::pair<const char*, const char*> values[] = {
+      {"--technique", "magic"}, {"--set", "samples"},     {"--set", "samples=0"},
+      {"--set", "samples=1e9"}, {"--set", "nothing=1"},   {"--set", "=1"},
+      {"--seed", "-1"},         {"--seed", "4294967296"}, {"--exposure", "bright"},
+      {"--exposure", "nan"},    {"--exposure", "1e9"},    {"--time", "inf"},
+      {"--tone-map", "sepia"},  {"--camera", "99"},       {"--camera", "nobody"},
+      {"--device", "99"},       {"--view", "no.image"},   {"--frobnicate", "1"}};
+  for (const auto& [flag, value] : values)
+    expect_error(2, {"render", "cornell", "-o", "x.png", "--size", "8x8", flag, value}, flag);
+  expect_error(2, {"render", "cornell", "--dump", "*"}, "--dump-to");
+  expect_error(2, {"render", "cornell", "--size", "8x8", "--dump", "no.*", "--dump-to", "passes"},
+               "no.*");
+  expect_error(2, {"render", "atrium:triangles=7", "-o", "x.png"}, "triangles");
+  expect_error(2, {"bench", "--frames", "0"}, "--frames");
+  expect_error(2, {"bench", "--triangles", "10000,many"}, "--triangles");
+  expect_error(2, {"bench", "--scene", "cornell", "--triangles", "10000"}, "--triangles");
+  EXPECT_FALSE(fs::exists(folder_ / "x.png"));
+}
+
+TEST_F(Cli, BadInputFiles) {
+  const std::string longest(3000, 'x');
+  const std::pair<const char*, std::string> files[] = {
+      {"empty.gltf", ""},
+      {"noise.glb", "glTF" + longest},
+      {"wrong.gltf", "[1, 2, 3]"},
+      {"deep.gltf", std::string(100000, '[')},
+      {"huge.gltf", R"({"asset": {"version": "2.0"}, "buffers": [{"byteLength": 1e18}],
+                       "bufferViews": [{"buffer": 0, "byteLength": 1e18}],
+                       "accessors": [{"count": 1e17, "componentType": 5126, "type": "VEC3"}],
+                       "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                       "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0})"},
+      {"outside.gltf", R"({"asset": {"version": "2.0"}, "buffers":
+                          [{"uri": "../../../etc/passwd", "byteLength": 9}],
+                          "bufferViews": [{"buffer": 0, "byteLength": 9}],
+                          "accessors": [{"bufferView": 0, "count": 1, "componentType": 5121,
+                                         "type": "SCALAR"}],
+                          "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                          "nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}], "scene": 0})"}};
+  for (const auto& [name, content] : files) {
+    ASSERT_TRUE(write_file(folder_ / name, content).ok());
+    expect_error(3, {"render", name, "-o", "x.png"}, name);
+    expect_error(3, {"scene", "info", name}, name);
+  }
+  expect_error(3, {"render", "missing.gltf", "-o", "x.png"}, "missing.gltf");
+  expect_error(3, {"render", ".", "-o", "x.png"});
+  EXPECT_FALSE(fs::exists(folder_ / "x.png"));
+}
+
+TEST_F(Cli, OutputThatCannotBeWritten) {
+  fs::create_directory(folder_ / "folder.png");
+  for (const char* path : {"missing/x.png", "folder.png", "/proc/x.png", "/dev/null/x.png"})
+    expect_error(4, {"render", "cornell", "--size", "8x8", "-o", path}, path);
+  expect_error(4, {"scene", "export", "cornell", "-o", "missing/x.glb"}, "missing");
+  expect_error(4, {"render", "cornell", "--dump", "*", "--dump-to", "/proc/x"}, "/proc/x");
+  EXPECT_EQ(file_count(), 1u);
+}
+
+TEST_F(Cli, FullDisk) {
+  for (const char* path : {"x.png", "x.exr"}) {
+    fs::create_symlink("/dev/full", folder_ / path);
+    expect_error(4, {"render", "cornell", "--size", "8x8", "-o", path}, path);
+  }
+  EXPECT_EQ(file_count(), 2u);
+}
+
+TEST_F(Cli, StdoutThatCannotBeWritten) {
+  for (const char* out : {"/dev/full", ""}) {
+    for (const Arguments& arguments : {Arguments{"--help"},
+                                       {"--version"},
+                                       {"techniques"},
+                                       {"devices", "--json"},
+                                       {"scene", "list"},
+                                       {"render", "cornell", "--size", "8x8", "--json"}}) {
+      const Ended ended = run(arguments, out);
+      EXPECT_EQ(ended.code, 4) << arguments[0] << " to '" << out << "'";
+      EXPECT_EQ(line_count(ended.err), 1u) << ended.err;
+    }
+  }
+}
+
+TEST_F(Cli, RenderReport) {
+  const Ended ended =
+      render({"--json", "-o", "a.png", "-o", "a.exr", "--seed", "3", "--set", "samples=8"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object());
+  EXPECT_EQ(json["scene"], "cornell");
+  EXPECT_EQ(json["size"], nlohmann::json::array({64, 36}));
+  EXPECT_EQ(json["technique"], "hierarchical");
+  EXPECT_EQ(json["settings"]["samples"], 8);
+  EXPECT_EQ(json["settings"]["start"], "half");
+  EXPECT_EQ(json["settings"]["rotate"], true);
+  EXPECT_EQ(json["seed"], 3);
+  EXPECT_EQ(json["tone_map"], "khronos-neutral");
+  EXPECT_EQ(json["outputs"], nlohmann::json::array({"a.png", "a.exr"}));
+  EXPECT_TRUE(json["warnings"].is_array());
+  for (const char* key : {"memory_bytes", "peak_memory_bytes", "triangles"})
+    EXPECT_GT(json[key].get<uint64_t>(), 0u) << key;
+  for (const char* key : {"technique_ms", "frame_ms", "load_ms"})
+    EXPECT_GT(json[key].get<double>(), 0.0) << key;
+  EXPECT_TRUE(json["exposure_ev"].is_number());
+  EXPECT_GE(json["off_screen_share"].get<double>(), 0.0);
+  EXPECT_LE(json["off_screen_share"].get<double>(), 1.0);
+  for (const char* key : {"name", "kind", "driver"})
+    EXPECT_TRUE(json["device"][key].is_string()) << key;
+
+  double technique_ms = 0, frame_ms = 0;
+  for (const auto& pass : json["passes"]) {
+    const auto name = pass["name"].get<std::string>();
+    frame_ms += pass["gpu_ms"].get<double>();
+    if (name.starts_with("hierarchical.")) technique_ms += pass["gpu_ms"].get<double>();
+  }
+  // Each time is rounded to a nanosecond.
+  const double rounding_ms = 1e-6 * static_cast<double>(json["passes"].size());
+  EXPECT_NEAR(json["technique_ms"].get<double>(), technique_ms, rounding_ms);
+  EXPECT_NEAR(json["frame_ms"].get<double>(), frame_ms, rounding_ms);
+}
+
+TEST_F(Cli, TechniqueNone) {
+  const Ended ended = render({"--technique", "none", "--json", "-o", "a.exr"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  EXPECT_EQ(json["technique"], "none");
+  EXPECT_EQ(json["settings"], nlohmann::json::object());
+  EXPECT_EQ(json["technique_ms"], 0.0);
+  EXPECT_FALSE(json.contains("off_screen_share"));
+  const auto layers = read_exr(folder_ / "a.exr");
+  ASSERT_TRUE(layers.ok()) << layers.error().message;
+  for (const ImageLayer& layer : *layers) EXPECT_NE(layer.name, "indirect");
+}
+
+// composed = direct + albedo * indirect, by the layers themselves.
+TEST_F(Cli, ExrLayers) {
+  ASSERT_EQ(render({"-o", "a.exr"}).code, 0);
+  const auto layers = read_exr(folder_ / "a.exr");
+  ASSERT_TRUE(layers.ok()) << layers.error().message;
+  const auto find = [&](const std::string& name) -> const ImageF& {
+    static const ImageF missing;
+    for (const ImageLayer& layer : *layers)
+      if (layer.name == name) return layer.image;
+    ADD_FAILURE() << "no layer " << name;
+    return missing;
+  };
+  for (const char* name : {"emission", "motion", "material", "off_screen"}) find(name);
+  const ImageF &composed = find(""), &direct = find("direct"), &indirect = find("indirect"),
+               &albedo = find("albedo"), &source = find("source"), &specular = find("specular"),
+               &normal = find("normal"), &depth = find("depth");
+  ASSERT_FALSE(testing::Test::HasFailure());
+  // Half floats keep 11 bits; five of them meet here.
+  const auto bound = [](float value) { return 5.0f * 0x1p-11f * value + 1e-4f; };
+  size_t surfaces = 0;
+  for (uint32_t y = 0; y < 36; ++y)
+    for (uint32_t x = 0; x < 64; ++x) {
+      float length2 = 0;
+      for (uint32_t c = 0; c < 3; ++c) {
+        const float d = direct.at(x, y, c);
+        EXPECT_NEAR(d, source.at(x, y, c) + specular.at(x, y, c), bound(d));
+        const float sum = d + albedo.at(x, y, c) * indirect.at(x, y, c);
+        EXPECT_NEAR(composed.at(x, y, c), sum, bound(sum)) << x << ", " << y;
+        length2 += normal.at(x, y, c) * normal.at(x, y, c);
+      }
+      const float z_m = depth.at(x, y, 0);
+      EXPECT_NEAR(length2, z_m > 0 ? 1.0f : 0.0f, 0.01f);
+      if (z_m == 0.0f) continue;
+      ++surfaces;
+      // The box is 5.6 m deep and the camera 8 m before it.
+      EXPECT_GT(z_m, 7.0f);
+      EXPECT_LT(z_m, 14.5f);
+    }
+  EXPECT_GT(surfaces, 400u);
+}
+
+TEST_F(Cli, SeedDecidesTheBytes) {
+  ASSERT_EQ(render({"-o", "a.png", "--seed", "1"}).code, 0);
+  ASSERT_EQ(render({"-o", "b.png", "--seed", "1"}).code, 0);
+  ASSERT_EQ(render({"-o", "c.png", "--seed", "1", "--json"}).code, 0);
+  ASSERT_EQ(render({"-o", "d.png", "--seed", "2"}).code, 0);
+  const std::string a = text_of(folder_ / "a.png");
+  EXPECT_FALSE(a.empty());
+  EXPECT_TRUE(a == text_of(folder_ / "b.png"));
+  EXPECT_TRUE(a == text_of(folder_ / "c.png"));
+  EXPECT_FALSE(a == text_of(folder_ / "d.png"));
+}
+
+TEST_F(Cli, ViewsAndDumps) {
+  const Ended list = render({"--list-views"});
+  ASSERT_EQ(list.code, 0) << list.err;
+  EXPECT_NE(list.out.find("hierarchical.gather@0.indirect\n"), std::string::npos) << list.out;
+
+  // Level 0 of a 64x36 picture at half resolution.
+  ASSERT_EQ(render({"--view", "hierarchical.gather@0.indirect", "-o", "v.png"}).code, 0);
+  const auto view = read_png(folder_ / "v.png");
+  ASSERT_TRUE(view.ok()) << view.error().message;
+  EXPECT_EQ(view->width, 32u);
+  EXPECT_EQ(view->height, 18u);
+
+  ASSERT_EQ(render({"--dump", "hierarchical.gather*", "--dump-to", "passes"}).code, 0);
+  const auto dumped = read_exr(folder_ / "passes/hierarchical.gather@0.indirect.exr");
+  ASSERT_TRUE(dumped.ok()) << dumped.error().message;
+  EXPECT_EQ(dumped->front().image.width, 32u);
+  for (const auto& entry : fs::directory_iterator(folder_ / "passes"))
+    EXPECT_TRUE(entry.path().filename().string().starts_with("hierarchical.gather@"));
+}
+
+TEST_F(Cli, ScanFindsNothing) {
+  const Ended ended = render({"--scan"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+}
+
+TEST_F(Cli, ExportedSceneRenders) {
+  ASSERT_EQ(run({"scene", "export", "cornell", "-o", "cornell.glb"}).code, 0);
+  const Ended info = run({"scene", "info", "cornell.glb", "--json"});
+  ASSERT_EQ(info.code, 0) << info.err;
+  const auto ours = nlohmann::json::parse(run({"scene", "info", "cornell", "--json"}).out);
+  const auto theirs = nlohmann::json::parse(info.out);
+  EXPECT_EQ(theirs["triangles"], ours["triangles"]);
+  EXPECT_EQ(theirs["cameras"].size(), ours["cameras"].size());
+  const Ended ended = run({"render", "cornell.glb", "--size", "64x36", "-o", "x.png"});
+  EXPECT_EQ(ended.code, 0) << ended.err;
+  EXPECT_TRUE(read_png(folder_ / "x.png").ok());
+}
+
+TEST_F(Cli, OddSizes) {
+  for (const auto& [size, width, height] :
+       {std::tuple("1x1", 1u, 1u), {"37x61", 37u, 61u}, {"1x40", 1u, 40u}}) {
+    const Ended ended = run({"render", "cornell", "--size", size, "-o", "x.png"});
+    EXPECT_EQ(ended.code, 0) << size << ": " << ended.err;
+    const auto picture = read_png(folder_ / "x.png");
+    ASSERT_TRUE(picture.ok()) << picture.error().message;
+    EXPECT_EQ(picture->width, width);
+    EXPECT_EQ(picture->height, height);
+  }
+}
+
+TEST_F(Cli, BenchReport) {
+  const Ended ended = run({"bench", "--scene", "cornell", "--size", "70x37", "--frames", "2",
+                           "--set", "samples=8", "--set", "levels=2", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object());
+  EXPECT_EQ(json["frames"], 2);
+  EXPECT_GT(json["technique_ms"].get<double>(), 0.0);
+  EXPECT_GT(json["wall_ms"].get<double>(), 0.0);
+  uint64_t samples[2] = {};
+  for (const auto& pass : json["passes"])
+    for (int level = 0; level < 2; ++level)
+      if (pass["name"] == "hierarchical.gather@" + std::to_string(level))
+        samples[level] = pass["samples"];
+  EXPECT_EQ(samples[0], 35u * 19 * 8);
+  EXPECT_EQ(samples[1], 18u * 10 * 8);
+}
+
+}  // namespace
+}  // namespace lueur
