@@ -65,6 +65,8 @@ class Cli : public testing::Test {
     if (child == 0) {
       if (::chdir(folder_.c_str()) != 0) ::_exit(126);
       ::setenv("XDG_CACHE_HOME", cache.c_str(), 1);
+      // Vulkan drivers keep memory until the process ends; under AddressSanitizer that would count.
+      ::setenv("ASAN_OPTIONS", "detect_leaks=0", 0);
       const int err = ::open("stderr", O_WRONLY | O_CREAT | O_TRUNC, 0600);
       ::dup2(err, STDERR_FILENO);
       ::close(STDOUT_FILENO);
@@ -350,8 +352,8 @@ TEST_F(Cli, ViewsAndDumps) {
     EXPECT_TRUE(entry.path().filename().string().starts_with("hierarchical.gather@"));
 }
 
-TEST_F(Cli, ScanFindsNothing) {
-  const Ended ended = render({"--scan"});
+TEST_F(Cli, ChecksFindNothing) {
+  const Ended ended = render({"--scan", "--validate"});
   EXPECT_EQ(ended.code, 0) << ended.err;
   EXPECT_EQ(ended.err, "");
 }

@@ -30,6 +30,7 @@ double median(std::vector<double> values) {
 template <class Of>
 double median_of(const std::vector<FrameTimes>& frames, Of of) {
   std::vector<double> values;
+  values.reserve(frames.size());
   for (const FrameTimes& frame : frames) values.push_back(of(frame));
   return median(std::move(values));
 }
@@ -88,7 +89,7 @@ std::optional<uint64_t> samples_of(const std::string& pass, const ChosenTechniqu
   // A pixel of level 0 covers 1, 2 or 4 of the picture's a side, one of each next level twice that.
   const uint32_t factor = 1u << (static_cast<uint32_t>(settings.start) + level);
   return uint64_t{divide_up(size.width, factor)} * divide_up(size.height, factor) *
-         static_cast<uint64_t>(settings.samples);
+         samples_at_level(settings, level);
 }
 
 }  // namespace lueur::cli

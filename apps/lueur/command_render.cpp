@@ -115,6 +115,7 @@ void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options
   command->add_option("--exposure", options->exposure, "Stops to add, or auto")
       ->type_name("EV|auto");
   std::vector<std::string> curves;
+  curves.reserve(kToneMapNames.size());
   for (const ToneMapName& row : kToneMapNames) curves.emplace_back(row.name);
   command
       ->add_option("--tone-map", options->tone_map, joined(curves) + " (default khronos-neutral)")

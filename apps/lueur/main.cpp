@@ -37,6 +37,7 @@ std::string describe(const CLI::App& program, const CLI::ParseError& mistake) {
   if (const auto commands = command->get_subcommands({}); !commands.empty()) {
     const std::vector<std::string> unknown = command->remaining();
     std::vector<std::string> names;
+    names.reserve(commands.size());
     for (const CLI::App* known : commands) names.push_back(known->get_name());
     const bool is_option = !unknown.empty() && unknown.front().starts_with('-');
     text = unknown.empty()

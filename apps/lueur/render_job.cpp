@@ -16,7 +16,7 @@ namespace lueur::cli {
 namespace {
 
 // Motion vectors are those of an animation of this rate.
-constexpr float kFrameTime_s = 1.0f / 60.0f;
+constexpr float kFrameSeconds = 1.0f / 60.0f;
 
 // What the steps below have found out, for the report.
 struct Report {
@@ -194,7 +194,7 @@ Outcome run_render(RenderJob& job) {
   const Shot shot{.extent = job.size,
                   .camera = camera,
                   .time_s = job.time_s,
-                  .previous_time_s = job.time_s - kFrameTime_s,
+                  .previous_time_s = job.time_s - kFrameSeconds,
                   .seed = job.seed};
   LUEUR_TRY_VOID(render(job, session, *renderer, shot, report));
   report.validation_messages = session.system->validation_messages();

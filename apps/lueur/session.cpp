@@ -106,7 +106,7 @@ Result<int32_t> find_camera(const Scene& scene, const std::string& text) {
   std::vector<std::string> list;
   for (size_t i = 0; i < std::min(cameras.size(), kMostNamesInErrors); ++i)
     list.push_back(std::to_string(i) + " (" + cameras[i].name + ")");
-  if (cameras.size() > kMostNamesInErrors) list.push_back("…");
+  if (cameras.size() > kMostNamesInErrors) list.emplace_back("…");
   return Error{ErrorKind::usage,
                "--camera '" + text + "': the scene has the cameras " + joined(list)};
 }

@@ -5,7 +5,8 @@
 //   // each frame, after the G-buffer and before composition:
 //   lueur::Frame frame = context->record(command_buffer);
 //   lueur::Image depth = frame.import({.image = …, .view = …, …});
-//   …                                  // a technique's render(frame, inputs)
+//   …                                  // a technique's render(frame, inputs) gives images
+//   frame.copy(outputs.diffuse, light); // into an imported image of the engine's
 //   auto status = frame.finish();      // imported images are back in the state they came in
 //
 // There is no hidden submit and no hidden wait.
@@ -63,6 +64,9 @@ class Frame {
   explicit Frame(Recorder* recorder) : recorder_(recorder) {}
   // Makes an engine's image usable by techniques in this frame.
   Image import(const ExternalImage& image);
+  // Copies an image of Lueur's, such as a technique's output, into an imported one of the same extent
+  // and format. The engine's image needs TRANSFER_DST usage.
+  void copy(Image from, Image to);
   // Puts the imported images back into their state. Call it once, before the command buffer ends.
   Result<void> finish();
   Recorder& recorder() { return *recorder_; }

@@ -27,6 +27,7 @@ struct HierarchicalSettings {
   Start start = Start::half;
   int32_t levels = 6;
   int32_t samples = 64;
+  int32_t sample_growth = 4;
   float radius = 20.0f;  // pixels of the level
   FormFactor form_factor = FormFactor::disc;
   Sampling sampling = Sampling::sparse;
@@ -38,8 +39,8 @@ struct HierarchicalSettings {
 // Outputs: `diffuse` only. Its alpha is the share of samples that fell outside of the image,
 // averaged over the levels: light that may be missing there.
 //
-// Memory, for W x H at half start: about 10 bytes a pixel of W x H for the pyramid and 8 + 8 for
-// the light; it is kept between frames.
+// Memory at half start: about 8 bytes a pixel of W x H for the pyramid, 5 for light on its way and
+// 8 for the output; kept between frames.
 class Hierarchical final : public Technique {
  public:
   explicit Hierarchical(HierarchicalSettings settings = {}) : settings_(settings) {}
@@ -51,5 +52,8 @@ class Hierarchical final : public Technique {
  private:
   HierarchicalSettings settings_;
 };
+
+// Samples that a pixel takes at `level`, counted from 0 for the finest.
+uint32_t samples_at_level(const HierarchicalSettings& settings, uint32_t level);
 
 }  // namespace lueur

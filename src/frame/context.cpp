@@ -8,6 +8,7 @@
 namespace lueur {
 
 Image Frame::import(const ExternalImage& image) { return recorder_->import(image); }
+void Frame::copy(Image from, Image to) { recorder_->copy(from, to); }
 Result<void> Frame::finish() { return recorder_->finish(); }
 
 Context::Context() = default;

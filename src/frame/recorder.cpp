@@ -80,6 +80,8 @@ Result<void> Recorder::finish() {
     commands_->copy_buffer(slot_->scan_rows.handle(), 0, slot_->scan_copy.handle(), 0,
                            slot_->scanned.size() * sizeof(lueur::ScanRow));
 
+  // What a failed frame recorded may never run: nothing of it may be taken for the past.
+  if (error_) forget_history();
   // Imported handles end with the frame; pooled images stay, free for the next one.
   for (auto& image : images_) {
     if (image->external.image) image->external = {};
@@ -186,15 +188,15 @@ HistoryImage Recorder::history(const std::string& name, Extent extent, Format fo
   const bool valid = pair.last_frame != 0 && pair.last_frame + 1 == frame_;
   if (pair.last_frame != frame_) pair.current = 1 - pair.current;
   pair.last_frame = frame_;
+  for (uint32_t index : pair.images) images_[index]->last_frame = frame_;
   // Last frame's content counts as written, so that it may be read now.
   images_[pair.images[1 - pair.current]]->written = valid;
   return {handle_of(pair.images[1 - pair.current]), handle_of(pair.images[pair.current]), valid};
 }
 
 void Recorder::forget_history() {
-  for (auto& [name, pair] : history_) {
-    for (uint32_t index : pair.images) images_[index]->history = images_[index]->in_use = false;
-  }
+  for (auto& image : images_)
+    if (image->history) image->history = image->in_use = false;
   history_.clear();
 }
 
@@ -215,6 +217,20 @@ Image Recorder::import(const ExternalImage& external) {
   image.state.write_stage = external.last_stage;
   image.state.write_access = external.last_access;
   return handle_of(index);
+}
+
+void Recorder::copy(Image from, Image to) {
+  if (failed()) return;
+  LUEUR_CHECK(from.valid() && to.valid());
+  LUEUR_CHECK(from.extent == to.extent && from.format == to.format);
+  LUEUR_CHECK(images_[from.index]->written);
+  Barriers barriers;
+  use_image(barriers, from, gpu::Use::copy_source, false);
+  use_image(barriers, to, gpu::Use::copy_target, true);
+  commands_->barrier(barriers.images, {});
+  commands_->copy_image(images_[from.index]->handle(), images_[to.index]->handle(), from.extent,
+                        gpu::info(from.format).is_depth);
+  images_[to.index]->written = true;
 }
 
 BufferRef Recorder::buffer(const char* name, uint64_t bytes) {

@@ -153,6 +153,8 @@ class Recorder {
   HistoryImage history(const std::string& name, Extent extent, Format format);
   void forget_history();
   Image import(const ExternalImage& image);
+  // Copies all of `from` to `to`, of the same extent and format.
+  void copy(Image from, Image to);
 
   // A transient image with the CPU's pixels: tightly packed rows of `format`, from the top.
   Image upload_image(const char* name, Extent extent, Format format, const void* pixels);

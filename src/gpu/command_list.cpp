@@ -171,6 +171,17 @@ void CommandList::copy_to_image(VkBuffer buffer, VkImage image,
                          static_cast<uint32_t>(copies.size()), copies.data());
 }
 
+void CommandList::copy_image(VkImage from, VkImage to, Extent extent, bool is_depth) {
+  VkImageCopy copy{};
+  copy.srcSubresource = {static_cast<VkImageAspectFlags>(is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                                  : VK_IMAGE_ASPECT_COLOR_BIT),
+                         0, 0, 1};
+  copy.dstSubresource = copy.srcSubresource;
+  copy.extent = {extent.width, extent.height, 1};
+  vkCmdCopyImage(handle_, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
+                 VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &copy);
+}
+
 void CommandList::copy_buffer(VkBuffer from, uint64_t from_offset, VkBuffer to, uint64_t to_offset,
                               uint64_t bytes) {
   const VkBufferCopy copy{from_offset, to_offset, bytes};

@@ -71,6 +71,7 @@ class CommandList {
   void copy_to_buffer(VkImage image, VkImageAspectFlags aspect, VkBuffer buffer,
                       const CopyRegion& region);
   void copy_to_image(VkBuffer buffer, VkImage image, std::span<const CopyRegion> regions);
+  void copy_image(VkImage from, VkImage to, Extent extent, bool is_depth);
   void copy_buffer(VkBuffer from, uint64_t from_offset, VkBuffer to, uint64_t to_offset,
                    uint64_t bytes);
   void fill_buffer(VkBuffer buffer, uint32_t value);

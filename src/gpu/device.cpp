@@ -28,6 +28,7 @@ constexpr FeatureRow kRequired[] = {
     {"dynamicRendering", [](Features& f) -> VkBool32& { return f.v13.dynamicRendering; }},
     {"synchronization2", [](Features& f) -> VkBool32& { return f.v13.synchronization2; }},
     {"maintenance4", [](Features& f) -> VkBool32& { return f.v13.maintenance4; }},
+    {"robustImageAccess", [](Features& f) -> VkBool32& { return f.v13.robustImageAccess; }},
     {"scalarBlockLayout", [](Features& f) -> VkBool32& { return f.v12.scalarBlockLayout; }},
     {"shaderStorageImageExtendedFormats",
      [](Features& f) -> VkBool32& { return f.core.features.shaderStorageImageExtendedFormats; }},

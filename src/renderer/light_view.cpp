@@ -9,11 +9,12 @@ namespace lueur {
 namespace {
 
 constexpr uint32_t kSpotSidePx = 2048;
-constexpr uint32_t kPointSidePx = 1024;
+constexpr uint32_t kCubeSidePx = 1024;
 constexpr uint32_t kDirectionalSidePx = 4096;
 constexpr float kShadowNearM = 0.02f;
-// A wider cone than this is drawn into one flat map badly; beyond it light has no shadow.
-constexpr float kWidestSpotRad = 1.48f;
+// A flat map spends its texels badly on a wider cone than this (half angle): 4 times as many on its
+// middle as on its edge. Such a spot gets a cube.
+constexpr float kWidestFlatSpotRad = 1.0f;
 
 glm::vec3 any_perpendicular(const glm::vec3& v) {
   const glm::vec3 axis = std::abs(v.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -56,6 +57,38 @@ glm::mat4 directional_view(const glm::vec3& forward, const Bounds& box, float& t
   return glm::transpose(rows);
 }
 
+void look_into_cone(LightView& view, const Light& light) {
+  LightParams& p = view.params;
+  const float half_width = std::tan(light.outer_cone_rad * 1.02f);
+  view.shadow_side_px = kSpotSidePx;
+  p.texel_m = 2.0f * half_width / static_cast<float>(kSpotSidePx);
+  const glm::vec3 right = any_perpendicular(p.direction_world);
+  view.clip_from_world = {perspective_view(p.position_world, right,
+                                           glm::cross(p.direction_world, right), p.direction_world,
+                                           1.0f / half_width, kShadowNearM)};
+}
+
+void look_all_around(LightView& view) {
+  LightParams& p = view.params;
+  view.shadow_side_px = kCubeSidePx;
+  p.texel_m = 2.0f / static_cast<float>(kCubeSidePx);
+  // Vulkan's cube faces: +x, -x, +y, -y, +z, -z, each with the directions of its u and v.
+  const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
+  const glm::vec3 faces[6][3] = {{-z, -y, x}, {z, -y, -x}, {x, z, y},
+                                 {x, -z, -y}, {x, -y, z},  {-x, -y, -z}};
+  for (const auto& face : faces)
+    view.clip_from_world.push_back(
+        perspective_view(p.position_world, face[0], face[1], face[2], 1.0f, kShadowNearM));
+}
+
+// KHR_lights_punctual's angular attenuation, as one multiplication and one addition.
+void set_cone(LightParams& p, const Light& light) {
+  const float outer = std::clamp(light.outer_cone_rad, 0.01f, 1.5707f);
+  const float inner = std::clamp(light.inner_cone_rad, 0.0f, outer - 1e-3f);
+  p.cone_scale = 1.0f / std::max(1e-3f, std::cos(inner) - std::cos(outer));
+  p.cone_offset = -std::cos(outer) * p.cone_scale;
+}
+
 }  // namespace
 
 LightView view_of_light(const Light& light, const glm::mat4& world_from_node,
@@ -67,35 +100,24 @@ LightView view_of_light(const Light& light, const glm::mat4& world_from_node,
   p.direction_world = glm::length(axis) > 0.0f ? glm::normalize(axis) : glm::vec3(0, -1, 0);
   p.intensity = light.color * light.intensity;
   p.shadow_near_m = kShadowNearM;
-
-  if (light.kind == LightKind::directional) {
-    p.kind = kLightDirectional;
-    view.shadow_side_px = kDirectionalSidePx;
-    view.clip_from_world = {directional_view(p.direction_world, scene_bounds, p.texel_m)};
-  } else if (light.kind == LightKind::spot) {
-    p.kind = kLightSpot;
-    const float outer = std::clamp(light.outer_cone_rad, 0.01f, 1.5707f);
-    const float inner = std::clamp(light.inner_cone_rad, 0.0f, outer - 1e-3f);
-    p.cone_scale = 1.0f / std::max(1e-3f, std::cos(inner) - std::cos(outer));
-    p.cone_offset = -std::cos(outer) * p.cone_scale;
-    const float half_width = std::tan(std::min(outer * 1.02f, kWidestSpotRad));
-    view.shadow_side_px = kSpotSidePx;
-    p.texel_m = 2.0f * half_width / static_cast<float>(kSpotSidePx);
-    const glm::vec3 right = any_perpendicular(p.direction_world);
-    view.clip_from_world = {perspective_view(p.position_world, right,
-                                             glm::cross(p.direction_world, right),
-                                             p.direction_world, 1.0f / half_width, kShadowNearM)};
-  } else {
-    p.kind = kLightPoint;
-    view.shadow_side_px = kPointSidePx;
-    p.texel_m = 2.0f / static_cast<float>(kPointSidePx);
-    // Vulkan's cube faces: +x, -x, +y, -y, +z, -z, each with the directions of its u and v.
-    const glm::vec3 x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);
-    const glm::vec3 faces[6][3] = {{-z, -y, x}, {z, -y, -x}, {x, z, y},
-                                   {x, -z, -y}, {x, -y, z},  {-x, -y, -z}};
-    for (const auto& face : faces)
-      view.clip_from_world.push_back(perspective_view(p.position_world, face[0], face[1], face[2],
-                                                      1.0f, kShadowNearM));
+  switch (light.kind) {
+    case LightKind::directional:
+      p.kind = kLightDirectional;
+      view.shadow_side_px = kDirectionalSidePx;
+      view.clip_from_world = {directional_view(p.direction_world, scene_bounds, p.texel_m)};
+      break;
+    case LightKind::spot:
+      p.kind = kLightSpot;
+      set_cone(p, light);
+      if (light.outer_cone_rad <= kWidestFlatSpotRad)
+        look_into_cone(view, light);
+      else
+        look_all_around(view);
+      break;
+    case LightKind::point:
+      p.kind = kLightPoint;
+      look_all_around(view);
+      break;
   }
   p.shadow_from_world = view.clip_from_world[0];
   return view;

@@ -28,8 +28,8 @@ struct Shot {
 struct RenderedImages {
   Image depth;      // d32f, reversed z, infinitely far plane, 0 where nothing is
   Image normal;     // rg16_snorm, octahedral, world space
-  Image albedo;     // rgba8_srgb: diffuse albedo, base colour * (1 - metallic)
-  Image material;   // rgba8: r metallic, g perceptual roughness, b dielectric F0 share, a unused
+  Image albedo;     // rgba16f: diffuse albedo, base colour * (1 - metallic)
+  Image material;   // rgba8: r metallic, g perceptual roughness
   Image emission;   // rgba16f: emitted radiance
   Image motion;     // rg16f: UV now minus UV in the previous frame
   Image source;     // rgba16f: diffuse direct radiance + emission; what the technique gets

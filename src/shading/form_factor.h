@@ -19,25 +19,24 @@ LUEUR_SHARED float foreshortening(vec3 normal_view, vec2 ray, float most) {
 // Irradiance over pi that a patch of radiance 1 gives to a point: HSSIL (4), point to disc.
 //   cos(theta) cos(theta') ds / (pi r^2)  ~  R^2 cos(theta) / (r^2 + R^2),  R^2 = cos(theta') ds / pi
 // `to_patch` goes from the receiver to the patch; normals are unit; area_over_pi = ds / pi. Exact for
-// a parallel disc above the receiver, and never above 1.
+// a parallel disc above the receiver, and never above 1. With a = r cos(theta'), b = r cos(theta) and
+// both sides of the fraction times r^2 it takes one square root and one division:
+//   a b ds/pi / (r^4 + a r ds/pi)
 LUEUR_SHARED float disc_form_factor(vec3 to_patch, vec3 normal_receiver, vec3 normal_patch,
                                     float area_over_pi) {
-  const float r2 = max(dot(to_patch, to_patch), 1e-20f);
-  const float inverse_r = inversesqrt(r2);
-  const float cos_receiver = max(dot(normal_receiver, to_patch) * inverse_r, 0.0f);
-  const float cos_patch = max(-dot(normal_patch, to_patch) * inverse_r, 0.0f);
-  const float disc_r2 = cos_patch * area_over_pi;
-  return disc_r2 * cos_receiver / (r2 + disc_r2);
+  const float r2 = dot(to_patch, to_patch);
+  const float a = max(-dot(normal_patch, to_patch), 0.0f) * area_over_pi;
+  const float b = max(dot(normal_receiver, to_patch), 0.0f);
+  return a * b / (r2 * r2 + a * sqrt(r2) + 1e-30f);
 }
 
 // The same by HSSIL (3), point to differential area: grows without bound as r goes to 0.
 LUEUR_SHARED float point_form_factor(vec3 to_patch, vec3 normal_receiver, vec3 normal_patch,
                                      float area_over_pi) {
-  const float r2 = max(dot(to_patch, to_patch), 1e-20f);
-  const float inverse_r = inversesqrt(r2);
-  const float cos_receiver = max(dot(normal_receiver, to_patch) * inverse_r, 0.0f);
-  const float cos_patch = max(-dot(normal_patch, to_patch) * inverse_r, 0.0f);
-  return cos_receiver * cos_patch * area_over_pi / r2;
+  const float r2 = dot(to_patch, to_patch);
+  const float a = max(-dot(normal_patch, to_patch), 0.0f) * area_over_pi;
+  const float b = max(dot(normal_receiver, to_patch), 0.0f);
+  return a * b / (r2 * r2 + 1e-30f);
 }
 
 LUEUR_NAMESPACE_END

@@ -42,7 +42,7 @@ using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;
-using uint = uint32_t;
+using uint = uint32_t;  // NOLINT(readability-identifier-naming): GLSL's name
 }  // namespace lueur
 
 #else

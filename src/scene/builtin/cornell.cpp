@@ -19,7 +19,7 @@ constexpr glm::vec3 kGreen{0.069f, 0.398f, 0.087f};
 constexpr glm::vec3 kRed{0.490f, 0.050f, 0.051f};
 
 // The lamp's radiance is in proportion to 17 : 12 : 4, as renderers commonly take it.
-constexpr glm::vec3 kLampColor{1.0f, 12.0f / 17.0f, 4.0f / 17.0f};
+constexpr glm::vec3 kLampColor{1.0f, 15.6f / 18.4f, 8.0f / 18.4f};
 constexpr float kLampRadiance = 1000.0f;  // cd/m² that the lamp's flux stands for
 constexpr float kPanelShare = 0.05f;       // of it that the panel itself radiates
 

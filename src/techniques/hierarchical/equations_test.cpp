@@ -192,8 +192,7 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
   namespace s = shaders;
   expect_layout(s::techniques_hierarchical_prepare_comp, "params", sizeof(PrepareParams),
                 {LUEUR_MEMBER(PrepareParams, screen), LUEUR_MEMBER(PrepareParams, view_from_world),
-                 LUEUR_MEMBER(PrepareParams, full_extent), LUEUR_MEMBER(PrepareParams, extent),
-                 LUEUR_MEMBER(PrepareParams, factor)});
+                 LUEUR_MEMBER(PrepareParams, full_extent), LUEUR_MEMBER(PrepareParams, extent)});
   expect_layout(s::techniques_hierarchical_downsample_comp, "push", sizeof(DownsampleParams),
                 {LUEUR_MEMBER(DownsampleParams, screen), LUEUR_MEMBER(DownsampleParams, fine_scale),
                  LUEUR_MEMBER(DownsampleParams, fine_extent),
@@ -205,7 +204,7 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
                    LUEUR_MEMBER(GatherParams, inner_px), LUEUR_MEMBER(GatherParams, outer_px),
                    LUEUR_MEMBER(GatherParams, area_over_pi), LUEUR_MEMBER(GatherParams, samples),
                    LUEUR_MEMBER(GatherParams, level), LUEUR_MEMBER(GatherParams, seed),
-                   LUEUR_MEMBER(GatherParams, rotate), LUEUR_MEMBER(GatherParams, point)});
+                   LUEUR_MEMBER(GatherParams, rotate)});
   expect_layout(s::techniques_hierarchical_filter_comp, "push", sizeof(FilterParams),
                 {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent)});
   expect_layout(s::techniques_hierarchical_combine_comp, "push", sizeof(UpsampleParams),
@@ -215,8 +214,7 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
   expect_layout(s::techniques_hierarchical_output_comp, "params", sizeof(OutputParams),
                 {LUEUR_MEMBER(OutputParams, screen), LUEUR_MEMBER(OutputParams, view_from_world),
                  LUEUR_MEMBER(OutputParams, coarse_scale), LUEUR_MEMBER(OutputParams, extent),
-                 LUEUR_MEMBER(OutputParams, coarse_extent), LUEUR_MEMBER(OutputParams, factor),
-                 LUEUR_MEMBER(OutputParams, alpha_scale)});
+                 LUEUR_MEMBER(OutputParams, coarse_extent), LUEUR_MEMBER(OutputParams, alpha_scale)});
   expect_layout(s::frame_scan_comp, "push", sizeof(ScanParams),
                 {LUEUR_MEMBER(ScanParams, extent), LUEUR_MEMBER(ScanParams, row),
                  LUEUR_MEMBER(ScanParams, allow_negative)});

@@ -19,18 +19,24 @@ void main() {
   const vec4 own = imageLoad(geometry, pixel);
   const vec3 position = position_view(ray_through(p.screen, vec2(pixel) + 0.5), own.w);
 
-  vec4 sum = imageLoad(light, pixel);
-  float weights = 1.0;
+  // Outside of the image z loads as 0 (robustImageAccess), like where there is no surface.
+  vec4 g[9];
+  vec4 l[9];
   for (int i = 0; i < 9; ++i) {
     const ivec2 q = pixel + ivec2(i % 3, i / 3) - 1;
-    if (i == 4 || own.w == 0.0 || any(lessThan(q, ivec2(0))) ||
-        any(greaterThanEqual(q, p.extent)))
-      continue;
-    const vec4 g = imageLoad(geometry, q);
-    if (g.w == 0.0) continue;
-    const vec3 other = position_view(ray_through(p.screen, vec2(q) + 0.5), g.w);
-    const float weight = bilateral_weight(position, own.xyz, other, g.xyz, kFlatness);
-    sum += weight * imageLoad(light, q);
+    g[i] = imageLoad(geometry, q);
+    l[i] = imageLoad(light, q);
+  }
+  vec4 sum = l[4];
+  float weights = 1.0;
+  for (int i = 0; i < 9; ++i) {
+    const vec2 centre = vec2(pixel) + vec2(i % 3, i / 3) - 0.5;
+    const vec3 other = position_view(ray_through(p.screen, centre), g[i].w);
+    const float weight =
+        i == 4 || own.w == 0.0 || g[i].w == 0.0
+            ? 0.0
+            : bilateral_weight(position, own.xyz, other, g[i].xyz, kFlatness);
+    sum += weight * l[i];
     weights += weight;
   }
   imageStore(filtered, pixel, sum / weights);

@@ -7,6 +7,8 @@
 #include "shading/form_factor.h"
 #include "techniques/hierarchical/params.h"
 
+// 0: HSSIL (4), 1: HSSIL (3).
+layout(constant_id = 1) const uint form_factor = 0;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, rgba32f) uniform readonly image2D geometry;
 layout(set = 0, binding = 1, rgba16f) uniform readonly image2D source;
@@ -38,7 +40,7 @@ void main() {
       const vec3 to_patch =
           position_view(ray_through(p.screen, vec2(x, y) + 0.5), g.w) - position;
       const float area_over_pi = p.area_over_pi * g.w * g.w * s.a;  // HSSIL (2)
-      light += s.rgb * (p.point != 0
+      light += s.rgb * (form_factor == 1
                             ? point_form_factor(to_patch, receiver.xyz, g.xyz, area_over_pi)
                             : disc_form_factor(to_patch, receiver.xyz, g.xyz, area_over_pi));
     }

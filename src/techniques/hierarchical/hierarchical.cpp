@@ -26,7 +26,10 @@ constexpr std::array kSettings = {
     setting<&Settings::levels>("levels", 1, 8, "levels",
                                "Levels of the pyramid; each doubles the reach."),
     setting<&Settings::samples>("samples", 1, 256, "samples",
-                                "Samples a pixel takes at each level."),
+                                "Samples a pixel takes at the two finest levels."),
+    setting<&Settings::sample_growth>(
+        "sample_growth", 1, 4, "times",
+        "Each further level takes so many times the samples of the one before, at most every pixel."),
     setting<&Settings::radius>("radius", 1, 4096, "px",
                                "Radius of the ring in pixels of its level; level k reaches radius * 2^k."),
     choice<&Settings::form_factor>(
@@ -38,7 +41,7 @@ constexpr std::array kSettings = {
     toggle<&Settings::rotate>("rotate",
                               "Give neighbouring pixels different samples, which `filter` averages."),
     toggle<&Settings::filter>("filter", "Filter each level 3 x 3 along its surfaces."),
-    setting<&Settings::only_level>("only_level", 0, 8, "level",
+    setting<&Settings::only_level>("only_level", 0, 8, "",
                                    "Gather at this level only, counted from 1; 0: at all levels."),
 };
 
@@ -51,6 +54,9 @@ struct Level {
 };
 
 ivec2 as_ivec2(Extent e) { return ivec2(e.width, e.height); }
+
+// upsample.glsl takes one thread for each corner between coarse pixels, the image's edges included.
+Extent corners_of(Extent coarse) { return {coarse.width + 1, coarse.height + 1}; }
 
 std::string at_level(const char* pass, uint32_t level) {
   return std::string("hierarchical.") + pass + "@" + std::to_string(level);
@@ -88,9 +94,10 @@ std::vector<Level> Pass::build_pyramid() {
     const std::string name = at_level("pyramid", k);
     if (k == 0) {
       frame.dispatch(name, {.shader = shaders::techniques_hierarchical_prepare_comp,
+                            .constants = {{"factor", static_cast<uint32_t>(factor)}},
                             .params = PrepareParams{screen, view_from_world,
                                                     as_ivec2(g.depth.extent),
-                                                    as_ivec2(level.extent), factor},
+                                                    as_ivec2(level.extent)},
                             .read = {{"depth", g.depth}, {"normal", g.normal}, {"source", g.source}},
                             .write = {{"geometry_out", level.geometry}, {"source_out", level.source}},
                             .over = level.extent});
@@ -112,33 +119,37 @@ std::vector<Level> Pass::build_pyramid() {
 // HSSIL 3.2, "indirect lighting shader": equation (4) over the level's ring.
 Image Pass::gather(const Level& level, uint32_t index) {
   const bool every_pixel = settings.sampling == Settings::Sampling::every_pixel;
-  const float ring_px = every_pixel ? 1.0f
-                                    : ring_area_px(index, settings.radius) /
-                                          static_cast<float>(settings.samples);
+  const uint32_t samples = samples_at_level(settings, index);
+  const float pixels_per_sample =
+      every_pixel ? 1.0f
+                  : ring_area_px(index, settings.radius) / static_cast<float>(samples);
   GatherParams params{};
   params.screen = level.screen;
   params.extent = as_ivec2(level.extent);
   params.inner_px = ring_inner_px(index, settings.radius);
   params.outer_px = settings.radius;
-  params.area_over_pi = ring_px *
+  params.area_over_pi = pixels_per_sample *
                         std::abs(level.screen.ray_scale.x * level.screen.ray_scale.y) /
                         std::numbers::pi_v<float>;
-  params.samples = static_cast<uint32_t>(settings.samples);
+  params.samples = samples;
   params.level = index;
   params.seed = inputs.seed;
   params.rotate = settings.rotate;
-  params.point = settings.form_factor == Settings::FormFactor::point;
 
   const Image indirect = frame.image("indirect", level.extent, Format::rgba16f);
-  const uint32_t pixels_per_thread = every_pixel ? 1 : (frame.runs_on_cpu() ? 4 : 1);
+  const uint32_t pixels_per_thread = every_pixel ? 1 : (frame.runs_on_cpu() ? 8 : 1);
   Dispatch dispatch{.shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
                                           : shaders::techniques_hierarchical_gather_comp,
+                    .constants = {{"form_factor", static_cast<uint32_t>(settings.form_factor)}},
                     .params = params,
                     .read = {{"geometry", level.geometry}, {"source", level.source}},
                     .write = {{"indirect", indirect}},
-                    .over = {divide_up(level.extent.width, pixels_per_thread),
-                             level.extent.height}};
-  if (!every_pixel) dispatch.constants = {{"pixels_per_thread", pixels_per_thread}};
+                    .over = {level.extent.width,
+                             // Rows in groups of 3 a thread, see gather.comp.
+                             every_pixel ? level.extent.height
+                                         : 3 * divide_up(level.extent.height,
+                                                         3 * pixels_per_thread)}};
+  if (!every_pixel) dispatch.constants.push_back({"pixels_per_thread", pixels_per_thread});
   frame.dispatch(at_level("gather", index), dispatch);
   return indirect;
 }
@@ -163,6 +174,7 @@ Image Pass::combine(const Level& fine, uint32_t index, const Level& coarse, Imag
   const Image combined = frame.image("combined", fine.extent, Format::rgba16f);
   frame.dispatch(at_level("combine", index),
                  {.shader = shaders::techniques_hierarchical_combine_comp,
+                  .constants = {{"factor", 2}},
                   .params = UpsampleParams{fine.screen, coarse.screen.ray_scale,
                                            as_ivec2(fine.extent), as_ivec2(coarse.extent),
                                            own.valid() ? 1.0f : 0.0f},
@@ -171,7 +183,7 @@ Image Pass::combine(const Level& fine, uint32_t index, const Level& coarse, Imag
                            {"fine_geometry", fine.geometry},
                            {"own", own.valid() ? own : light}},
                   .write = {{"combined", combined}},
-                  .over = fine.extent});
+                  .over = corners_of(coarse.extent)});
   frame.release(light);
   frame.release(own);
   return combined;
@@ -182,15 +194,16 @@ Image Pass::output(const Level& level, Image light, uint32_t gathered_levels) {
   const Image diffuse = frame.image("diffuse", g.depth.extent, Format::rgba16f);
   frame.dispatch("hierarchical.output",
                  {.shader = shaders::techniques_hierarchical_output_comp,
+                  .constants = {{"factor", static_cast<uint32_t>(factor)}},
                   .params = OutputParams{screen, view_from_world, level.screen.ray_scale,
-                                         as_ivec2(g.depth.extent), as_ivec2(level.extent), factor,
+                                         as_ivec2(g.depth.extent), as_ivec2(level.extent),
                                          1.0f / static_cast<float>(gathered_levels)},
                   .read = {{"geometry", level.geometry},
                            {"light", light},
                            {"depth", g.depth},
                            {"normal", g.normal}},
                   .write = {{"diffuse", diffuse}},
-                  .over = g.depth.extent});
+                  .over = corners_of(level.extent)});
   frame.release(light);
   return diffuse;
 }
@@ -198,6 +211,14 @@ Image Pass::output(const Level& level, Image light, uint32_t gathered_levels) {
 }  // namespace
 
 std::span<const SettingInfo> Hierarchical::settings_table() { return kSettings; }
+
+uint32_t samples_at_level(const HierarchicalSettings& settings, uint32_t level) {
+  uint32_t samples = static_cast<uint32_t>(settings.samples);
+  const auto ring_px = static_cast<uint32_t>(std::max(ring_area_px(level, settings.radius), 1.0f));
+  for (uint32_t k = 2; k <= level && samples < ring_px; ++k)
+    samples = std::min(samples * static_cast<uint32_t>(settings.sample_growth), ring_px);
+  return samples;
+}
 
 Outputs Hierarchical::render(Frame& public_frame, const Inputs& inputs) {
   Recorder& frame = public_frame.recorder();

@@ -4,11 +4,6 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "shading/packing.h"
-
-layout(local_size_x = 8, local_size_y = 8) in;
-layout(set = 0, binding = 0, rgba32f) uniform readonly image2D geometry;
-layout(set = 0, binding = 1, rgba16f) uniform readonly image2D light;
-
 #include "techniques/hierarchical/upsample.glsl"
 
 layout(set = 0, binding = 2) uniform sampler2D depth;
@@ -18,21 +13,27 @@ layout(set = 0, binding = 5, scalar) uniform Params { OutputParams value; } para
 
 void main() {
   const OutputParams p = params.value;
-  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-  if (any(greaterThanEqual(pixel, p.extent))) return;
-  const float d = texelFetch(depth, pixel, 0).r;
-  vec4 result = vec4(0.0);
-  if (d != p.screen.depth_of_nothing) {
-    const vec2 centre = vec2(pixel) + 0.5;
-    if (p.factor == 1) {
-      result = imageLoad(light, pixel);
-    } else {
-      const vec3 n = p.view_from_world * octahedral_decode(texelFetch(normal, pixel, 0).rg);
-      const float z = z_from_depth(p.screen, d);
-      result = upsample(centre / float(p.factor), p.coarse_extent, p.coarse_scale,
-                        p.screen.ray_offset, position_view(ray_through(p.screen, centre), z), n);
-    }
-    result.a *= p.alpha_scale;
+  if (any(greaterThan(ivec2(gl_GlobalInvocationID.xy), p.coarse_extent))) return;
+  Corner corners[4];
+  for (int i = 0; i < 4; ++i)
+    corners[i] = load_corner(i, p.coarse_extent, p.coarse_scale, p.screen.ray_offset);
+
+  float d[factor * factor];
+  vec2 n[factor * factor];
+  for (int i = 0; i < factor * factor; ++i) {
+    // The image's own edge stands in for what lies outside, and is not written again.
+    const ivec2 pixel = clamp(fine_pixel(i), ivec2(0), p.extent - 1);
+    d[i] = texelFetch(depth, pixel, 0).r;
+    n[i] = texelFetch(normal, pixel, 0).rg;
   }
-  imageStore(diffuse, pixel, result);
+  for (int i = 0; i < factor * factor; ++i) {
+    const ivec2 pixel = fine_pixel(i);
+    const vec2 ray = ray_through(p.screen, vec2(pixel) + 0.5);
+    vec4 result = interpolate(corners, between_corners(i),
+                              position_view(ray, z_from_depth(p.screen, d[i])),
+                              p.view_from_world * octahedral_decode(n[i]));
+    result.a *= p.alpha_scale;
+    if (d[i] == p.screen.depth_of_nothing) result = vec4(0.0);
+    if (all(lessThan(uvec2(pixel), uvec2(p.extent)))) imageStore(diffuse, pixel, result);
+  }
 }

@@ -18,7 +18,6 @@ struct PrepareParams {
   mat3 view_from_world;  // rotation, for normals
   ivec2 full_extent;     // of the G-buffer, pixels
   ivec2 extent;          // of the level that is written
-  int factor;            // pixels of the G-buffer a side of one level pixel: 1, 2 or 4
 };
 
 struct DownsampleParams {
@@ -40,7 +39,6 @@ struct GatherParams {
   uint level;
   uint seed;
   uint rotate;  // 0 or 1
-  uint point;   // 1: HSSIL (3) instead of (4)
 };
 
 struct FilterParams {
@@ -62,7 +60,6 @@ struct OutputParams {
   vec2 coarse_scale;
   ivec2 extent;          // of the full image
   ivec2 coarse_extent;
-  int factor;            // pixels of the full image a side of one coarse pixel
   float alpha_scale;     // 1 / number of levels gathered
 };
 

@@ -8,6 +8,8 @@
 #include "shading/packing.h"
 #include "techniques/hierarchical/pyramid.glsl"
 
+// Pixels of the G-buffer a side of one level pixel: 1, 2 or 4.
+layout(constant_id = 0) const int factor = 2;
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D normal;
@@ -31,36 +33,29 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, p.extent))) return;
 
-  vec4 nearest = vec4(0.0, 0.0, 0.0, kNothingZ);
-  ivec2 nearest_child = ivec2(0);
+  vec4 children[factor * factor];
+  int nearest = 0;
   vec3 radiance = vec3(0.0);
-  for (int y = 0; y < p.factor; ++y) {
-    for (int x = 0; x < p.factor; ++x) {
-      const ivec2 child = pixel * p.factor + ivec2(x, y);
-      const vec4 g = load(child);
-      if (g.w == 0.0) continue;
-      radiance += texelFetch(source, child, 0).rgb;
-      if (g.w < nearest.w) {
-        nearest = g;
-        nearest_child = child;
-      }
-    }
+  for (int i = 0; i < factor * factor; ++i) {
+    const ivec2 child = pixel * factor + ivec2(i % factor, i / factor);
+    children[i] = load(child);
+    // Pixels without a surface, and those beyond the image's edge, count as black: the sum of
+    // radiance times area is the same at every level.
+    if (children[i].w > 0.0) radiance += texelFetch(source, child, 0).rgb;
+    const bool is_first = children[nearest].w == 0.0;
+    if (children[i].w > 0.0 && (is_first || children[i].w < children[nearest].w)) nearest = i;
   }
-  // Pixels without a surface, and those beyond the image's edge, count as black: the sum of
-  // radiance times area is the same at every level.
-  radiance /= float(p.factor * p.factor);
+  radiance /= float(factor * factor);
 
-  const vec2 ray = ray_through(p.screen, (vec2(pixel) + 0.5) * float(p.factor));
-  const vec2 nearest_ray = ray_through(p.screen, vec2(nearest_child) + 0.5);
+  const vec2 first_ray = ray_through(p.screen, vec2(pixel * factor) + 0.5);
+  const vec2 ray = ray_through(p.screen, (vec2(pixel) + 0.5) * float(factor));
+  const vec2 nearest_ray =
+      first_ray + vec2(nearest % factor, nearest / factor) * p.screen.ray_scale;
   SurfaceSum sum = SurfaceSum(vec3(0.0), 0.0, 0.0);
-  for (int y = 0; y < p.factor; ++y) {
-    for (int x = 0; x < p.factor; ++x) {
-      const ivec2 child = pixel * p.factor + ivec2(x, y);
-      const vec4 g = load(child);
-      if (g.w > 0.0)
-        add_to_surface(sum, nearest, nearest_ray, g, ray_through(p.screen, vec2(child) + 0.5), ray);
-    }
-  }
+  for (int i = 0; i < factor * factor; ++i)
+    if (children[i].w > 0.0)
+      add_to_surface(sum, children[nearest], nearest_ray, children[i],
+                     first_ray + vec2(i % factor, i / factor) * p.screen.ray_scale, ray);
   const vec4 surface = surface_mean(sum);
   write_level(pixel, surface, ray, radiance);
 }

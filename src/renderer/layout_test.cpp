@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The structures of params.h lie in memory as the shaders read them.
+#include "support/layout.h"
+
+#include "renderer/params.h"
+#include "renderer/shaders.h"
+
+namespace lueur {
+namespace {
+
+TEST(RendererLayout, GeometryPasses) {
+  for (const gpu::ShaderCode* code :
+       {&shaders::renderer_g_buffer_vert, &shaders::renderer_shadow_vert})
+    expect_layout(*code, "instances", sizeof(InstanceData),
+                  {LUEUR_MEMBER(InstanceData, world_from_object),
+                   LUEUR_MEMBER(InstanceData, world_from_object_before),
+                   LUEUR_MEMBER(InstanceData, world_from_object_normal)});
+  for (const gpu::ShaderCode* code :
+       {&shaders::renderer_g_buffer_frag, &shaders::renderer_shadow_frag}) {
+    expect_layout(
+        *code, "materials", sizeof(MaterialData),
+        {LUEUR_MEMBER(MaterialData, base_color), LUEUR_MEMBER(MaterialData, emission),
+         LUEUR_MEMBER(MaterialData, metallic), LUEUR_MEMBER(MaterialData, roughness),
+         LUEUR_MEMBER(MaterialData, normal_scale), LUEUR_MEMBER(MaterialData, alpha_cutoff),
+         LUEUR_MEMBER(MaterialData, has_normal_map)});
+    expect_layout(*code, "push", sizeof(DrawParams), {LUEUR_MEMBER(DrawParams, material)});
+  }
+  expect_layout(shaders::renderer_g_buffer_vert, "params", sizeof(GBufferParams),
+                {LUEUR_MEMBER(GBufferParams, clip_from_world),
+                 LUEUR_MEMBER(GBufferParams, clip_from_world_before)});
+  expect_layout(shaders::renderer_shadow_vert, "params", sizeof(ShadowParams),
+                {LUEUR_MEMBER(ShadowParams, clip_from_world)});
+}
+
+TEST(RendererLayout, LightPasses) {
+  for (const gpu::ShaderCode* code :
+       {&shaders::renderer_light_cube_comp, &shaders::renderer_light_flat_comp})
+    expect_layout(
+        *code, "params", sizeof(LightParams),
+        {LUEUR_MEMBER(LightParams, screen), LUEUR_MEMBER(LightParams, world_from_view),
+         LUEUR_MEMBER(LightParams, shadow_from_world), LUEUR_MEMBER(LightParams, position_world),
+         LUEUR_MEMBER(LightParams, direction_world), LUEUR_MEMBER(LightParams, intensity),
+         LUEUR_MEMBER(LightParams, extent), LUEUR_MEMBER(LightParams, kind),
+         LUEUR_MEMBER(LightParams, cone_scale), LUEUR_MEMBER(LightParams, cone_offset),
+         LUEUR_MEMBER(LightParams, shadow_near_m), LUEUR_MEMBER(LightParams, texel_m),
+         LUEUR_MEMBER(LightParams, first)});
+}
+
+TEST(RendererLayout, SurfaceAndComposition) {
+  for (const gpu::ShaderCode* code :
+       {&shaders::renderer_surface_comp, &shaders::renderer_compose_comp})
+    expect_layout(*code, "push", sizeof(ComposeParams),
+                  {LUEUR_MEMBER(ComposeParams, extent), LUEUR_MEMBER(ComposeParams, has_indirect)});
+}
+
+}  // namespace
+}  // namespace lueur
