@@ -64,8 +64,8 @@ class Frame {
   explicit Frame(Recorder* recorder) : recorder_(recorder) {}
   // Makes an engine's image usable by techniques in this frame.
   Image import(const ExternalImage& image);
-  // Copies an image of Lueur's, such as a technique's output, into an imported one of the same extent
-  // and format. The engine's image needs TRANSFER_DST usage.
+  // Copies an image of Lueur's, such as a technique's output, into an imported one of the same
+  // extent and format. The engine's image needs TRANSFER_DST usage.
   void copy(Image from, Image to);
   // Puts the imported images back into their state. Call it once, before the command buffer ends.
   Result<void> finish();

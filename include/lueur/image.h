@@ -16,18 +16,18 @@ struct Extent {
 
 // Names follow the channels, their bits and their kind; each maps to one VkFormat.
 enum class Format : uint8_t {
-  r8,           // VK_FORMAT_R8_UNORM
-  rg8,          // VK_FORMAT_R8G8_UNORM
-  rgba8,        // VK_FORMAT_R8G8B8A8_UNORM
-  rgba8_srgb,   // VK_FORMAT_R8G8B8A8_SRGB
-  rg16_snorm,   // VK_FORMAT_R16G16_SNORM
-  r16f,         // VK_FORMAT_R16_SFLOAT
-  rg16f,        // VK_FORMAT_R16G16_SFLOAT
-  rgba16f,      // VK_FORMAT_R16G16B16A16_SFLOAT
-  r32f,         // VK_FORMAT_R32_SFLOAT
-  rgba32f,      // VK_FORMAT_R32G32B32A32_SFLOAT
-  r32ui,        // VK_FORMAT_R32_UINT
-  d32f,         // VK_FORMAT_D32_SFLOAT
+  r8,          // VK_FORMAT_R8_UNORM
+  rg8,         // VK_FORMAT_R8G8_UNORM
+  rgba8,       // VK_FORMAT_R8G8B8A8_UNORM
+  rgba8_srgb,  // VK_FORMAT_R8G8B8A8_SRGB
+  rg16_snorm,  // VK_FORMAT_R16G16_SNORM
+  r16f,        // VK_FORMAT_R16_SFLOAT
+  rg16f,       // VK_FORMAT_R16G16_SFLOAT
+  rgba16f,     // VK_FORMAT_R16G16B16A16_SFLOAT
+  r32f,        // VK_FORMAT_R32_SFLOAT
+  rgba32f,     // VK_FORMAT_R32G32B32A32_SFLOAT
+  r32ui,       // VK_FORMAT_R32_UINT
+  d32f,        // VK_FORMAT_D32_SFLOAT
 };
 
 // A handle, valid for the frame that gave it. Copying it copies no pixels.

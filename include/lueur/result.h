@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How a public call tells that it failed. No exception and no abort crosses the public API: whatever
-// a user, a file, a device or a disk can cause comes back as an Error in a Result.
+// How a public call tells that it failed. No exception and no abort crosses the public API:
+// whatever a user, a file, a device or a disk can cause comes back as an Error in a Result.
 #pragma once
 
 #include <optional>

@@ -21,8 +21,8 @@ struct SettingInfo {
   SettingKind kind = SettingKind::integer;
   double min = 0;  // inclusive; choices count from 0
   double max = 0;
-  std::string_view unit;     // "px", "samples", …; empty for none
-  std::string_view summary;  // one sentence
+  std::string_view unit;                      // "px", "samples", …; empty for none
+  std::string_view summary;                   // one sentence
   std::span<const std::string_view> choices;  // of kind choice, in the order of the values
   // Field access in the settings structure that the table belongs to.
   double (*get)(const void* settings) = nullptr;

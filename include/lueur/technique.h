@@ -16,7 +16,8 @@ namespace lueur {
 // The camera's G-buffer, all images of one extent W x H from 1x1 to the device's limit.
 struct GBuffer {
   Image depth;   // d32f or r32f: as the view's projection yields it; cleared where nothing is
-  Image normal;  // two channels, [-1, 1]: unit normal in world space, octahedral (see shading/packing.h)
+  Image normal;  // two channels, [-1, 1]: unit normal in world space, octahedral (see
+                 // shading/packing.h)
   // rgba16f or rgba32f, alpha ignored: diffuse outgoing radiance, i.e. albedo x direct irradiance
   // / pi + emission. No specular reflection, no fog, no sky: what is not a surface has to be 0.
   Image source;
@@ -25,7 +26,8 @@ struct GBuffer {
 struct Inputs {
   View view;
   GBuffer g_buffer;
-  // Chooses the pattern of samples: the same seed gives the same bits. For an animation, count it up.
+  // Chooses the pattern of samples: the same seed gives the same bits. For an animation, count it
+  // up.
   uint32_t seed = 0;
 };
 

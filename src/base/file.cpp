@@ -61,7 +61,8 @@ Result<std::vector<uint8_t>> read_file(const fs::path& path, uint64_t max_bytes)
                                        std::to_string(max_bytes)};
   std::ifstream file(path, std::ios::binary);
   std::vector<uint8_t> bytes(size);
-  if (!file || !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+  if (!file ||
+      !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
     return Error{ErrorKind::input, path.string() + ": cannot be read: " + std::strerror(errno)};
   return bytes;
 }

@@ -7,9 +7,15 @@
 
 namespace lueur {
 
-Image Frame::import(const ExternalImage& image) { return recorder_->import(image); }
-void Frame::copy(Image from, Image to) { recorder_->copy(from, to); }
-Result<void> Frame::finish() { return recorder_->finish(); }
+Image Frame::import(const ExternalImage& image) {
+  return recorder_->import(image);
+}
+void Frame::copy(Image from, Image to) {
+  recorder_->copy(from, to);
+}
+Result<void> Frame::finish() {
+  return recorder_->finish();
+}
 
 Context::Context() = default;
 Context::Context(Context&&) noexcept = default;
@@ -28,7 +34,11 @@ Frame Context::record(VkCommandBuffer command_buffer) {
   return Frame(recorder_.get());
 }
 
-std::vector<PassTime> Context::pass_times() { return recorder_->pass_times(); }
-MemoryUse Context::memory() const { return recorder_->memory(); }
+std::vector<PassTime> Context::pass_times() {
+  return recorder_->pass_times();
+}
+MemoryUse Context::memory() const {
+  return recorder_->memory();
+}
 
 }  // namespace lueur

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Looking into passes from outside: captured images and the scan for what cannot be light.
-#include <glm/gtc/packing.hpp>
-
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 
 #include "base/check.h"
 #include "frame/recorder.h"
@@ -53,16 +52,20 @@ float decode(const std::byte* channel, Format format) {
     case Format::r8:
     case Format::rg8:
     case Format::rgba8:
-    case Format::rgba8_srgb: return static_cast<float>(as(uint8_t{})) / 255.0f;
+    case Format::rgba8_srgb:
+      return static_cast<float>(as(uint8_t{})) / 255.0f;
     case Format::rg16_snorm:
       return std::max(-1.0f, static_cast<float>(as(int16_t{})) / 32767.0f);
     case Format::r16f:
     case Format::rg16f:
-    case Format::rgba16f: return glm::unpackHalf1x16(as(uint16_t{}));
-    case Format::r32ui: return static_cast<float>(as(uint32_t{}));
+    case Format::rgba16f:
+      return glm::unpackHalf1x16(as(uint16_t{}));
+    case Format::r32ui:
+      return static_cast<float>(as(uint32_t{}));
     case Format::r32f:
     case Format::rgba32f:
-    case Format::d32f: return as(float{});
+    case Format::d32f:
+      return as(float{});
   }
   return 0.0f;
 }
@@ -88,20 +91,20 @@ void Recorder::read_back(const std::string& name, Image image) {
   if (failed() || !image.valid()) return;
   const gpu::FormatInfo& format = gpu::info(image.format);
   auto buffer = gpu::Buffer::create(
-      *device_, {.name = "read back " + name,
-                 .bytes = uint64_t{image.extent.width} * image.extent.height *
-                          format.bytes_per_pixel,
-                 .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
-                 .kind = gpu::MemoryKind::readback});
+      *device_,
+      {.name = "read back " + name,
+       .bytes = uint64_t{image.extent.width} * image.extent.height * format.bytes_per_pixel,
+       .usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+       .kind = gpu::MemoryKind::readback});
   if (!buffer.ok()) return fail(buffer.error());
   Barriers barriers;
   use_image(barriers, image, gpu::Use::copy_source, false);
   commands_->barrier(barriers.images, {});
-  commands_->copy_to_buffer(images_[image.index]->handle(),
-                            static_cast<VkImageAspectFlags>(format.is_depth
-                                                                ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                                                : VK_IMAGE_ASPECT_COLOR_BIT),
-                            buffer->handle(), {.extent = image.extent});
+  commands_->copy_to_buffer(
+      images_[image.index]->handle(),
+      static_cast<VkImageAspectFlags>(format.is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT
+                                                      : VK_IMAGE_ASPECT_COLOR_BIT),
+      buffer->handle(), {.extent = image.extent});
   gpu::AccessState written;
   gpu::advance(written, gpu::info(gpu::Use::copy_target), false, true);
   const auto to_host = gpu::advance(written, gpu::info(gpu::Use::host_read), false, false);
@@ -170,8 +173,7 @@ std::vector<Pixels> Recorder::read_back_pixels() {
     entry.buffer.invalidate();
     const gpu::FormatInfo& format = gpu::info(entry.format);
     Pixels pixels{entry.name, entry.extent, format.channels, {}};
-    const size_t count =
-        size_t{entry.extent.width} * entry.extent.height * format.channels;
+    const size_t count = size_t{entry.extent.width} * entry.extent.height * format.channels;
     const size_t stride = format.bytes_per_pixel / format.channels;
     const std::byte* bytes = entry.buffer.mapped().data();
     pixels.samples.resize(count);

@@ -37,9 +37,8 @@ gpu::Use use_of(const gpu::Pipeline& pipeline, const gpu::ShaderBinding& binding
 
 void Recorder::use_image(Barriers& barriers, Image image, gpu::Use use, bool discard) {
   PooledImage& entry = *images_[image.index];
-  const VkImageAspectFlags aspect = gpu::info(image.format).is_depth
-                                        ? VK_IMAGE_ASPECT_DEPTH_BIT
-                                        : VK_IMAGE_ASPECT_COLOR_BIT;
+  const VkImageAspectFlags aspect =
+      gpu::info(image.format).is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
   if (auto t = gpu::advance(entry.state, gpu::info(use), true, discard))
     barriers.images.push_back({entry.handle(), aspect, *t});
 }
@@ -83,8 +82,9 @@ VkDescriptorSet Recorder::bind_resources(const std::string& pass, const gpu::Pip
   // Parameters go where the shader wants them.
   if (const gpu::ShaderBinding* block = pipeline.find(kParamsBlock)) {
     if (block->bytes != params.bytes)
-      mismatch(pass, pipeline, "params has " + std::to_string(params.bytes) +
-                                   " bytes, the shader's block " + std::to_string(block->bytes));
+      mismatch(pass, pipeline,
+               "params has " + std::to_string(params.bytes) + " bytes, the shader's block " +
+                   std::to_string(block->bytes));
     all.push_back({kParamsBlock, upload(params.data, params.bytes)});
   }
   if (failed()) return VK_NULL_HANDLE;
@@ -95,20 +95,21 @@ VkDescriptorSet Recorder::bind_resources(const std::string& pass, const gpu::Pip
     const gpu::ShaderBinding* binding = pipeline.find(bound.name);
     if (!binding || binding->set != 0)
       mismatch(pass, pipeline, std::string("it has no binding ") + bound.name);
-    const bool is_written = &bound >= &all[read.size()] && &bound < &all[read.size()] + write.size();
+    const bool is_written =
+        &bound >= &all[read.size()] && &bound < &all[read.size()] + write.size();
     if (is_written != binding->writes)
-      mismatch(pass, pipeline, std::string(bound.name) + (binding->writes
-                                                              ? " is written by the shader only"
-                                                              : " is readonly in the shader"));
+      mismatch(pass, pipeline,
+               std::string(bound.name) + (binding->writes ? " is written by the shader only"
+                                                          : " is readonly in the shader"));
     if (const Image* image = std::get_if<Image>(&bound.resource)) {
       if (!image->valid()) mismatch(pass, pipeline, std::string(bound.name) + " is no image");
       PooledImage& entry = *images_[image->index];
       if (!entry.in_use) mismatch(pass, pipeline, std::string(bound.name) + " was released");
       if (binding->kind == gpu::BindingKind::storage_image &&
           binding->format != gpu::to_vk(image->format))
-        mismatch(pass, pipeline, std::string(bound.name) + " is " +
-                                     std::string(gpu::info(image->format).name) +
-                                     ", which is not the shader's format");
+        mismatch(pass, pipeline,
+                 std::string(bound.name) + " is " + std::string(gpu::info(image->format).name) +
+                     ", which is not the shader's format");
       if (!is_written && !entry.written)
         mismatch(pass, pipeline, std::string(bound.name) + " is read before it was written");
       const bool discard = is_written && !entry.written;
@@ -245,8 +246,7 @@ void DrawList::material(MaterialSet set) {
         mismatch("material", pipeline_, "the material has nothing for " + binding.name);
       descriptors.push_back(recorder_.describe(binding, *bound));
     }
-    auto made =
-        recorder_.material_descriptors_->make(pipeline_.set_layouts[1], descriptors);
+    auto made = recorder_.material_descriptors_->make(pipeline_.set_layouts[1], descriptors);
     if (!made.ok()) return recorder_.fail(made.error());
     found = recorder_.material_descriptor_sets_.emplace(key, *made).first;
   }
@@ -261,7 +261,9 @@ void DrawList::front_face(bool counter_clockwise) {
   recorder_.commands_->front_face(counter_clockwise);
 }
 
-void DrawList::cull_back_faces(bool on) { recorder_.commands_->cull_back_faces(on); }
+void DrawList::cull_back_faces(bool on) {
+  recorder_.commands_->cull_back_faces(on);
+}
 
 void DrawList::push(const Params& params) {
   if (params.bytes != pipeline_.interface.push_constant_bytes)
@@ -277,6 +279,8 @@ void DrawList::indexed(uint32_t index_count, uint32_t first_index, int32_t verte
                                     first_instance);
 }
 
-void DrawList::fullscreen_triangle() { recorder_.commands_->draw(3); }
+void DrawList::fullscreen_triangle() {
+  recorder_.commands_->draw(3);
+}
 
 }  // namespace lueur

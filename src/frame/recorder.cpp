@@ -185,13 +185,17 @@ HistoryImage Recorder::history(const std::string& name, Extent extent, Format fo
     }
     pair.last_frame = 0;
   }
-  const bool valid = pair.last_frame != 0 && pair.last_frame + 1 == frame_;
-  if (pair.last_frame != frame_) pair.current = 1 - pair.current;
-  pair.last_frame = frame_;
-  for (uint32_t index : pair.images) images_[index]->last_frame = frame_;
-  // Last frame's content counts as written, so that it may be read now.
-  images_[pair.images[1 - pair.current]]->written = valid;
-  return {handle_of(pair.images[1 - pair.current]), handle_of(pair.images[pair.current]), valid};
+  // The first call of a frame turns the pair over; later ones get the same answer.
+  if (pair.last_frame != frame_) {
+    pair.valid = pair.last_frame != 0 && pair.last_frame + 1 == frame_;
+    pair.current = 1 - pair.current;
+    pair.last_frame = frame_;
+    for (uint32_t index : pair.images) images_[index]->last_frame = frame_;
+    // Last frame's content counts as written, so that it may be read now.
+    images_[pair.images[1 - pair.current]]->written = pair.valid;
+  }
+  return {handle_of(pair.images[1 - pair.current]), handle_of(pair.images[pair.current]),
+          pair.valid};
 }
 
 void Recorder::forget_history() {
@@ -238,8 +242,7 @@ BufferRef Recorder::buffer(const char* name, uint64_t bytes) {
   for (auto& pooled_buffer : buffers_) {
     if (pooled_buffer->in_use || pooled_buffer->buffer.bytes() != bytes) continue;
     pooled_buffer->in_use = true;
-    frame_buffers_.push_back(
-        {pooled_buffer->buffer.handle(), 0, bytes, &pooled_buffer->state});
+    frame_buffers_.push_back({pooled_buffer->buffer.handle(), 0, bytes, &pooled_buffer->state});
     return {static_cast<uint32_t>(frame_buffers_.size() - 1)};
   }
   auto created = gpu::Buffer::create(
@@ -266,9 +269,8 @@ BufferRef Recorder::upload(const void* data, uint64_t bytes) {
   const uint64_t alignment = std::max({limits.minStorageBufferOffsetAlignment,
                                        limits.minUniformBufferOffsetAlignment, VkDeviceSize{16}});
   const uint64_t wanted = std::max<uint64_t>(bytes, 16);
-  auto chunk = std::find_if(slot_->chunks.begin(), slot_->chunks.end(), [&](const auto& c) {
-    return c.used + wanted <= c.buffer.bytes();
-  });
+  auto chunk = std::find_if(slot_->chunks.begin(), slot_->chunks.end(),
+                            [&](const auto& c) { return c.used + wanted <= c.buffer.bytes(); });
   if (chunk == slot_->chunks.end()) {
     auto created = gpu::Buffer::create(
         *device_, {.name = "uploads",

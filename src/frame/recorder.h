@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The recorder: every pass of every technique and of the renderer goes through dispatch() or draw().
+// The recorder: every pass of every technique and of the renderer goes through dispatch() or
+// draw().
 //
 // It records at once, in the order of the calls. What it adds to each pass, without a line in the
-// pass itself: barriers, a debug label, a timer, capture of images whose name is watched, a scan for
-// values that are not light. Names, formats and sizes are checked against the shader's reflection;
-// a mismatch is a broken promise of the pass and stops the program with both names.
+// pass itself: barriers, a debug label, a timer, capture of images whose name is watched, a scan
+// for values that are not light. Names, formats and sizes are checked against the shader's
+// reflection; a mismatch is a broken promise of the pass and stops the program with both names.
 //
 // What can fail at run time (memory, pipelines) is remembered: after the first error all calls do
 // nothing, images are invalid, and the frame's finish() tells it.
@@ -120,7 +121,7 @@ struct Pixels {
 
 // What a scan found in one image of one pass.
 struct ScanFinding {
-  std::string image;  // "pass.image"
+  std::string image;                             // "pass.image"
   uint32_t nan = 0, infinite = 0, negative = 0;  // pixels
   uint32_t first_x = 0, first_y = 0;             // the first of them, in reading order
 };
@@ -184,9 +185,7 @@ class Recorder {
   const std::vector<std::string>& written_images() const { return written_images_; }
   MemoryUse memory() const { return device_->memory(); }
   // True where shaders run on the CPU: passes then give each thread more pixels.
-  bool runs_on_cpu() const {
-    return device_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU;
-  }
+  bool runs_on_cpu() const { return device_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
   gpu::Device& device() { return *device_; }
   gpu::PipelineLibrary& pipelines() { return *pipelines_; }
   bool failed() const { return error_.has_value(); }
@@ -230,6 +229,7 @@ class Recorder {
     std::array<uint32_t, 2> images{};
     uint64_t last_frame = 0;
     uint32_t current = 0;
+    bool valid = false;  // in last_frame
   };
 
   explicit Recorder(const ContextInfo& info);
@@ -275,6 +275,8 @@ class Recorder {
 };
 
 // The thread-group count and pixels-per-thread rounding that the house uses everywhere.
-inline uint32_t divide_up(uint32_t a, uint32_t b) { return (a + b - 1) / b; }
+inline uint32_t divide_up(uint32_t a, uint32_t b) {
+  return (a + b - 1) / b;
+}
 
 }  // namespace lueur

@@ -69,7 +69,8 @@ std::optional<Transition> advance(AccessState& state, const UseInfo& use, bool i
   const bool after_write = state.write_stage != VK_PIPELINE_STAGE_2_NONE;
   transition.source_stage = state.write_stage;
   transition.source_access = state.write_access;
-  // A write, and a layout change, also wait for the reads: their content must not change under them.
+  // A write, and a layout change, also wait for the reads: their content must not change under
+  // them.
   if (use.writes || changes_layout) transition.source_stage |= state.read_stages;
 
   const bool first_touch = !after_write && state.read_stages == VK_PIPELINE_STAGE_2_NONE;

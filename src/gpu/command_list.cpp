@@ -113,8 +113,8 @@ void CommandList::begin_rendering(Extent extent, std::span<const ColorTarget> co
   rendering.pDepthAttachment = depth.view ? &depth_attachment : nullptr;
   vkCmdBeginRendering(handle_, &rendering);
 
-  const VkViewport viewport{0, 0, static_cast<float>(extent.width),
-                            static_cast<float>(extent.height), 0, 1};
+  const VkViewport viewport{
+      0, 0, static_cast<float>(extent.width), static_cast<float>(extent.height), 0, 1};
   vkCmdSetViewport(handle_, 0, 1, &viewport);
   vkCmdSetScissor(handle_, 0, 1, &rendering.renderArea);
 }
@@ -124,8 +124,8 @@ void CommandList::bind_pipeline(const Pipeline& pipeline) {
 }
 
 void CommandList::front_face(bool counter_clockwise) {
-  vkCmdSetFrontFace(handle_, counter_clockwise ? VK_FRONT_FACE_COUNTER_CLOCKWISE
-                                               : VK_FRONT_FACE_CLOCKWISE);
+  vkCmdSetFrontFace(handle_,
+                    counter_clockwise ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE);
 }
 
 void CommandList::cull_back_faces(bool on) {
@@ -138,7 +138,9 @@ void CommandList::bind_geometry(VkBuffer vertices, VkBuffer indices) {
   vkCmdBindIndexBuffer(handle_, indices, 0, VK_INDEX_TYPE_UINT32);
 }
 
-void CommandList::draw(uint32_t vertex_count) { vkCmdDraw(handle_, vertex_count, 1, 0, 0); }
+void CommandList::draw(uint32_t vertex_count) {
+  vkCmdDraw(handle_, vertex_count, 1, 0, 0);
+}
 
 void CommandList::draw_indexed(uint32_t index_count, uint32_t first_index, int32_t vertex_offset,
                                uint32_t instance_count, uint32_t first_instance) {
@@ -146,7 +148,9 @@ void CommandList::draw_indexed(uint32_t index_count, uint32_t first_index, int32
                    first_instance);
 }
 
-void CommandList::end_rendering() { vkCmdEndRendering(handle_); }
+void CommandList::end_rendering() {
+  vkCmdEndRendering(handle_);
+}
 
 void CommandList::copy_to_buffer(VkImage image, VkImageAspectFlags aspect, VkBuffer buffer,
                                  const CopyRegion& region) {
@@ -272,7 +276,9 @@ Result<VkDescriptorSet> DescriptorArena::make(VkDescriptorSetLayout layout,
       case BindingKind::sampled_image:
         write.descriptorType = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
         break;
-      case BindingKind::storage_image: write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE; break;
+      case BindingKind::storage_image:
+        write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+        break;
       case BindingKind::storage_buffer:
         write.descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
         break;

@@ -57,7 +57,8 @@ class CommandList {
   void push(const Pipeline& pipeline, const void* data, uint32_t bytes);
   void dispatch(const Pipeline& pipeline, uint32_t groups_x, uint32_t groups_y, uint32_t groups_z);
 
-  void begin_rendering(Extent extent, std::span<const ColorTarget> colors, const DepthTarget& depth);
+  void begin_rendering(Extent extent, std::span<const ColorTarget> colors,
+                       const DepthTarget& depth);
   void bind_pipeline(const Pipeline& pipeline);
   void front_face(bool counter_clockwise);
   void cull_back_faces(bool on);
@@ -88,8 +89,8 @@ struct SamplerState {
   Filter filter = Filter::nearest;
   Address u = Address::clamp_to_edge;
   Address v = Address::clamp_to_edge;
-  bool mipmaps = false;        // trilinear, anisotropic where the device can
-  bool compare = false;        // shadow maps: passes where the reference is nearer or equal (reversed z)
+  bool mipmaps = false;  // trilinear, anisotropic where the device can
+  bool compare = false;  // shadow maps: passes where the reference is nearer or equal (reversed z)
   friend auto operator<=>(const SamplerState&, const SamplerState&) = default;
 };
 

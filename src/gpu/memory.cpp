@@ -22,8 +22,8 @@ Result<Buffer> Buffer::create(Device& device, const BufferInfo& info) {
   const VkResult result = vmaCreateBuffer(device.allocator, &create, &where, &buffer.handle_,
                                           &buffer.allocation_, &allocated);
   if (result != VK_SUCCESS)
-    return vulkan_error(result, "allocating " + std::to_string(info.bytes) + " bytes for buffer " +
-                                    info.name);
+    return vulkan_error(
+        result, "allocating " + std::to_string(info.bytes) + " bytes for buffer " + info.name);
   buffer.device_ = &device;
   buffer.bytes_ = info.bytes;
   buffer.allocated_bytes_ = allocated.size;
@@ -94,8 +94,9 @@ Result<Texture> Texture::create(Device& device, const TextureInfo& info) {
 
   VkImageViewCreateInfo view{VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
   view.image = texture.handle_;
-  view.viewType = info.cube ? VK_IMAGE_VIEW_TYPE_CUBE
-                            : (info.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D);
+  view.viewType = info.cube
+                      ? VK_IMAGE_VIEW_TYPE_CUBE
+                      : (info.layers > 1 ? VK_IMAGE_VIEW_TYPE_2D_ARRAY : VK_IMAGE_VIEW_TYPE_2D);
   view.format = create.format;
   view.subresourceRange = {texture.aspect(), 0, info.mip_levels, 0, info.layers};
   result = vkCreateImageView(device.handle, &view, nullptr, &texture.view_);
@@ -113,7 +114,8 @@ Result<Texture> Texture::create(Device& device, const TextureInfo& info) {
 
 Texture::~Texture() {
   if (!handle_) return;
-  for (VkImageView layer_view : layer_views_) vkDestroyImageView(device_->handle, layer_view, nullptr);
+  for (VkImageView layer_view : layer_views_)
+    vkDestroyImageView(device_->handle, layer_view, nullptr);
   if (view_) vkDestroyImageView(device_->handle, view_, nullptr);
   vmaDestroyImage(device_->allocator, handle_, allocation_);
   device_->count_memory(-static_cast<int64_t>(allocated_bytes_));

@@ -15,10 +15,14 @@ constexpr uint64_t kMaxCacheBytes = uint64_t{64} << 20;
 
 VkDescriptorType descriptor_type(BindingKind kind) {
   switch (kind) {
-    case BindingKind::sampled_image: return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
-    case BindingKind::storage_image: return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-    case BindingKind::storage_buffer: return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-    case BindingKind::uniform_buffer: return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+    case BindingKind::sampled_image:
+      return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
+    case BindingKind::storage_image:
+      return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case BindingKind::storage_buffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+    case BindingKind::uniform_buffer:
+      return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   }
   return VK_DESCRIPTOR_TYPE_MAX_ENUM;
 }
@@ -28,7 +32,11 @@ bool fits(const std::vector<uint8_t>& file, const VkPhysicalDeviceProperties& pr
   VkPipelineCacheHeaderVersionOne header{};
   if (file.size() < sizeof(header)) return false;
   std::memcpy(&header, file.data(), sizeof(header));
-  return header.headerVersion == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
+  // Read apart: what a damaged file holds may be no value of the enumeration.
+  uint32_t version = 0;
+  std::memcpy(&version, file.data() + offsetof(VkPipelineCacheHeaderVersionOne, headerVersion),
+              sizeof(version));
+  return version == VK_PIPELINE_CACHE_HEADER_VERSION_ONE &&
          header.vendorID == properties.vendorID && header.deviceID == properties.deviceID &&
          std::memcmp(header.pipelineCacheUUID, properties.pipelineCacheUUID, VK_UUID_SIZE) == 0;
 }
@@ -83,9 +91,9 @@ std::string key_of(const GraphicsState& s) {
   std::string key = "graphics " + std::string(s.vertex->name) + " " +
                     (s.fragment ? std::string(s.fragment->name) : "-");
   for (Format format : s.color_formats) key += " " + std::string(info(format).name);
-  key += " d" + std::to_string(s.has_depth) + std::to_string(static_cast<int>(s.depth_test)) + " c" +
-         std::to_string(s.depth_clamp) + " b" +
-         std::to_string(s.depth_bias_slope) + " v" + std::to_string(s.vertex_stride_bytes);
+  key += " d" + std::to_string(s.has_depth) + std::to_string(static_cast<int>(s.depth_test)) +
+         " c" + std::to_string(s.depth_clamp) + " b" + std::to_string(s.depth_bias_slope) + " v" +
+         std::to_string(s.vertex_stride_bytes);
   for (const VertexAttribute& a : s.vertex_attributes)
     key += " " + std::to_string(a.format) + "@" + std::to_string(a.offset_bytes);
   return key;
@@ -162,8 +170,7 @@ Result<void> PipelineLibrary::make_layout(Pipeline& pipeline) {
     create.bindingCount = static_cast<uint32_t>(layout_bindings.size());
     create.pBindings = layout_bindings.data();
     VkDescriptorSetLayout layout = VK_NULL_HANDLE;
-    const VkResult result =
-        vkCreateDescriptorSetLayout(device_.handle, &create, nullptr, &layout);
+    const VkResult result = vkCreateDescriptorSetLayout(device_.handle, &create, nullptr, &layout);
     if (result != VK_SUCCESS) return vulkan_error(result, "making a layout for " + pipeline.name);
     pipeline.set_layouts.push_back(layout);
   }
@@ -176,7 +183,8 @@ Result<void> PipelineLibrary::make_layout(Pipeline& pipeline) {
   create.pSetLayouts = pipeline.set_layouts.data();
   create.pushConstantRangeCount = push.size > 0 ? 1 : 0;
   create.pPushConstantRanges = &push;
-  const VkResult result = vkCreatePipelineLayout(device_.handle, &create, nullptr, &pipeline.layout);
+  const VkResult result =
+      vkCreatePipelineLayout(device_.handle, &create, nullptr, &pipeline.layout);
   if (result != VK_SUCCESS) return vulkan_error(result, "making a layout for " + pipeline.name);
   return {};
 }
@@ -184,7 +192,8 @@ Result<void> PipelineLibrary::make_layout(Pipeline& pipeline) {
 Result<const Pipeline*> PipelineLibrary::compute(const ShaderCode& shader,
                                                  std::span<const Specialization> specialization) {
   std::string key(shader.name);
-  for (const Specialization& s : specialization) key += " " + s.name + "=" + std::to_string(s.value);
+  for (const Specialization& s : specialization)
+    key += " " + s.name + "=" + std::to_string(s.value);
   if (const auto found = pipelines_.find(key); found != pipelines_.end())
     return found->second.get();
 
@@ -200,12 +209,13 @@ Result<const Pipeline*> PipelineLibrary::compute(const ShaderCode& shader,
   std::vector<uint32_t> values;
   for (const Specialization& s : specialization) {
     const auto& known = pipeline->interface.specialization_constants;
-    const auto match = std::find_if(known.begin(), known.end(),
-                                    [&](const auto& constant) { return constant.second == s.name; });
+    const auto match = std::find_if(known.begin(), known.end(), [&](const auto& constant) {
+      return constant.second == s.name;
+    });
     if (match == known.end())
       check_failed(__FILE__, __LINE__, "the shader has this specialization constant", key);
-    entries.push_back({match->first, static_cast<uint32_t>(values.size() * sizeof(uint32_t)),
-                       sizeof(uint32_t)});
+    entries.push_back(
+        {match->first, static_cast<uint32_t>(values.size() * sizeof(uint32_t)), sizeof(uint32_t)});
     values.push_back(s.value);
   }
   const VkSpecializationInfo special{static_cast<uint32_t>(entries.size()), entries.data(),
@@ -279,7 +289,8 @@ Result<const Pipeline*> PipelineLibrary::graphics(const GraphicsState& state) {
                              VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
   const std::vector<VkPipelineColorBlendAttachmentState> blends(state.color_formats.size(),
                                                                 write_all);
-  VkPipelineColorBlendStateCreateInfo blend{VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
+  VkPipelineColorBlendStateCreateInfo blend{
+      VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = static_cast<uint32_t>(blends.size());
   blend.pAttachments = blends.data();
   const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,

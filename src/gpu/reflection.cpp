@@ -12,17 +12,28 @@ using Compiler = spvc_compiler;
 
 VkFormat storage_format(SpvImageFormat format) {
   switch (format) {
-    case SpvImageFormatR8: return VK_FORMAT_R8_UNORM;
-    case SpvImageFormatRg8: return VK_FORMAT_R8G8_UNORM;
-    case SpvImageFormatRgba8: return VK_FORMAT_R8G8B8A8_UNORM;
-    case SpvImageFormatRg16Snorm: return VK_FORMAT_R16G16_SNORM;
-    case SpvImageFormatR16f: return VK_FORMAT_R16_SFLOAT;
-    case SpvImageFormatRg16f: return VK_FORMAT_R16G16_SFLOAT;
-    case SpvImageFormatRgba16f: return VK_FORMAT_R16G16B16A16_SFLOAT;
-    case SpvImageFormatR32f: return VK_FORMAT_R32_SFLOAT;
-    case SpvImageFormatRgba32f: return VK_FORMAT_R32G32B32A32_SFLOAT;
-    case SpvImageFormatR32ui: return VK_FORMAT_R32_UINT;
-    default: return VK_FORMAT_UNDEFINED;
+    case SpvImageFormatR8:
+      return VK_FORMAT_R8_UNORM;
+    case SpvImageFormatRg8:
+      return VK_FORMAT_R8G8_UNORM;
+    case SpvImageFormatRgba8:
+      return VK_FORMAT_R8G8B8A8_UNORM;
+    case SpvImageFormatRg16Snorm:
+      return VK_FORMAT_R16G16_SNORM;
+    case SpvImageFormatR16f:
+      return VK_FORMAT_R16_SFLOAT;
+    case SpvImageFormatRg16f:
+      return VK_FORMAT_R16G16_SFLOAT;
+    case SpvImageFormatRgba16f:
+      return VK_FORMAT_R16G16B16A16_SFLOAT;
+    case SpvImageFormatR32f:
+      return VK_FORMAT_R32_SFLOAT;
+    case SpvImageFormatRgba32f:
+      return VK_FORMAT_R32G32B32A32_SFLOAT;
+    case SpvImageFormatR32ui:
+      return VK_FORMAT_R32_UINT;
+    default:
+      return VK_FORMAT_UNDEFINED;
   }
 }
 
@@ -58,8 +69,8 @@ std::vector<ShaderMember> block_members(Compiler compiler, spvc_type_id type_id)
 
 uint32_t struct_bytes(Compiler compiler, spvc_type_id type_id) {
   size_t bytes = 0;
-  spvc_compiler_get_declared_struct_size(
-      compiler, spvc_compiler_get_type_handle(compiler, type_id), &bytes);
+  spvc_compiler_get_declared_struct_size(compiler, spvc_compiler_get_type_handle(compiler, type_id),
+                                         &bytes);
   return static_cast<uint32_t>(bytes);
 }
 
@@ -79,8 +90,8 @@ void add_bindings(Compiler compiler, spvc_resources resources, spvc_resource_typ
     if (kind == BindingKind::storage_image) {
       const spvc_type image = spvc_compiler_get_type_handle(compiler, resource.type_id);
       binding.format = storage_format(spvc_type_get_image_storage_format(image));
-      binding.writes = !spvc_compiler_has_decoration(compiler, resource.id,
-                                                     SpvDecorationNonWritable);
+      binding.writes =
+          !spvc_compiler_has_decoration(compiler, resource.id, SpvDecorationNonWritable);
     }
     if (kind == BindingKind::storage_buffer) {
       const SpvDecoration* decorations = nullptr;
@@ -114,9 +125,8 @@ Result<ShaderInterface> reflect(const ShaderCode& code) {
       spvc_context_create_compiler(context.get(), SPVC_BACKEND_NONE, ir,
                                    SPVC_CAPTURE_MODE_TAKE_OWNERSHIP, &compiler) != SPVC_SUCCESS ||
       spvc_compiler_create_shader_resources(compiler, &resources) != SPVC_SUCCESS)
-    return Error{ErrorKind::device,
-                 "shader " + std::string(code.name) + " cannot be reflected: " +
-                     spvc_context_get_last_error_string(context.get())};
+    return Error{ErrorKind::device, "shader " + std::string(code.name) + " cannot be reflected: " +
+                                        spvc_context_get_last_error_string(context.get())};
 
   ShaderInterface out;
   add_bindings(compiler, resources, SPVC_RESOURCE_TYPE_SAMPLED_IMAGE, BindingKind::sampled_image,
@@ -138,8 +148,8 @@ Result<ShaderInterface> reflect(const ShaderCode& code) {
   }
 
   for (unsigned i = 0; i < 3; ++i)
-    out.workgroup_size[i] = spvc_compiler_get_execution_mode_argument_by_index(
-        compiler, SpvExecutionModeLocalSize, i);
+    out.workgroup_size[i] =
+        spvc_compiler_get_execution_mode_argument_by_index(compiler, SpvExecutionModeLocalSize, i);
 
   const spvc_specialization_constant* constants = nullptr;
   size_t constant_count = 0;

@@ -31,9 +31,9 @@ struct ShaderBinding {
   uint32_t set = 0;
   uint32_t binding = 0;
   BindingKind kind = BindingKind::sampled_image;
-  bool writes = false;               // not declared readonly
+  bool writes = false;                    // not declared readonly
   VkFormat format = VK_FORMAT_UNDEFINED;  // of a storage image
-  uint32_t bytes = 0;                // of a uniform buffer, or of a storage buffer's fixed part
+  uint32_t bytes = 0;  // of a uniform buffer, or of a storage buffer's fixed part
 };
 
 struct ShaderMember {
@@ -46,7 +46,8 @@ struct ShaderInterface {
   std::vector<ShaderBinding> bindings;
   uint32_t push_constant_bytes = 0;
   std::vector<ShaderMember> push_constants;
-  // Members of each uniform or storage block by binding name, arrays of structures by their element.
+  // Members of each uniform or storage block by binding name, arrays of structures by their
+  // element.
   std::vector<std::pair<std::string, std::vector<ShaderMember>>> blocks;
   uint32_t workgroup_size[3] = {1, 1, 1};
   std::vector<std::pair<uint32_t, std::string>> specialization_constants;  // id and name

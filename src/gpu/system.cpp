@@ -19,16 +19,20 @@ std::string version_text(uint32_t version) {
 
 const char* kind_name(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "CPU";
-    default: return "other";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "CPU";
+    default:
+      return "other";
   }
 }
 
-VkBool32 VKAPI_PTR collect(VkDebugUtilsMessageSeverityFlagBitsEXT,
-                           VkDebugUtilsMessageTypeFlagsEXT,
+VkBool32 VKAPI_PTR collect(VkDebugUtilsMessageSeverityFlagBitsEXT, VkDebugUtilsMessageTypeFlagsEXT,
                            const VkDebugUtilsMessengerCallbackDataEXT* data, void* user) {
   auto* log = static_cast<ValidationLog*>(user);
   const std::lock_guard lock(log->mutex);
@@ -74,8 +78,9 @@ std::string lower(std::string text) {
 // Finds the device that `wanted` means; see SystemInfo::device.
 Result<uint32_t> choose(const std::vector<DeviceEntry>& devices, const std::string& wanted) {
   if (devices.empty())
-    return Error{ErrorKind::device,
-                 "no Vulkan device found; install a driver (mesa-vulkan-drivers renders on the CPU)"};
+    return Error{
+        ErrorKind::device,
+        "no Vulkan device found; install a driver (mesa-vulkan-drivers renders on the CPU)"};
   std::string list;
   for (const DeviceEntry& d : devices)
     list += (list.empty() ? "" : ", ") + std::to_string(d.index) + " = " + d.name;
@@ -84,8 +89,7 @@ Result<uint32_t> choose(const std::vector<DeviceEntry>& devices, const std::stri
     const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
     const bool is_number = error == std::errc() && end == wanted.data() + wanted.size();
     for (const DeviceEntry& d : devices)
-      if (is_number ? d.index == number
-                    : lower(d.name).find(lower(wanted)) != std::string::npos)
+      if (is_number ? d.index == number : lower(d.name).find(lower(wanted)) != std::string::npos)
         return d.index;
     return Error{ErrorKind::usage, "--device " + wanted + ": no such device; there is " + list};
   }

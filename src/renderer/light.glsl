@@ -17,14 +17,13 @@ layout(set = 0, binding = 7, scalar) uniform Params { LightParams value; } param
 
 float shadow(vec3 position, vec3 n, vec3 to_light, float distance_m);
 
-// The receiver is moved off its surface, the more the flatter the light falls in. Over the filter's
-// reach of about 2.5 texels a surface at angle theta from the light's direction changes its depth by
-// 2.5 tan(theta) texels; an offset o along the normal gains o / cos(theta). Hence 2.5 sin(theta), and
-// half a texel for rounding.
-vec3 shadow_position(vec3 position, vec3 n, vec3 to_light, float texel_m) {
-  const float cos_light = clamp(dot(n, to_light), 0.0, 1.0);
-  const float sin_light = sqrt(1.0 - cos_light * cos_light);
-  return position + n * (texel_m * (0.5 + 2.5 * sin_light));
+// The receiver is moved off its surface, so that a surface does not shade itself. Next to a point a
+// plane's depth in the map changes by sin(alpha) cos(phi) / cos(theta) a texel, with alpha between
+// normal and `map_axis` (unit, in which the map looks), phi between axis and light ray, theta between
+// normal and light ray; an offset o along the normal gains o cos(phi) / cos(theta). The filter reaches
+// about 2.5 texels, hence 2.5 sin(alpha), and half a texel for rounding.
+vec3 shadow_position(vec3 position, vec3 n, vec3 map_axis, float texel_m) {
+  return position + n * (texel_m * (0.5 + 2.5 * length(cross(n, map_axis))));
 }
 
 void main() {

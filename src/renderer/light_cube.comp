@@ -10,7 +10,11 @@ layout(set = 0, binding = 4) uniform samplerCubeShadow shadow_map;
 // 3 x 3 bilinear comparisons around the direction to the point.
 float shadow(vec3 position, vec3 n, vec3 to_light, float distance_m) {
   const LightParams p = params.value;
-  const vec3 moved = shadow_position(position, n, to_light, p.texel_m * distance_m);
+  const vec3 reach = abs(to_light);
+  const float farthest = max(max(reach.x, reach.y), reach.z);
+  const vec3 face = reach.x == farthest ? vec3(1, 0, 0)
+                                        : (reach.y == farthest ? vec3(0, 1, 0) : vec3(0, 0, 1));
+  const vec3 moved = shadow_position(position, n, face, p.texel_m * distance_m);
   const vec3 from_light = moved - p.position_world;
   const vec3 axis = abs(from_light);
   // The faces' reversed depth, near / z, with z along the face's axis.

@@ -14,7 +14,7 @@ float shadow(vec3 position, vec3 n, vec3 to_light, float distance_m) {
       p.kind == kLightDirectional ? p.texel_m
                                   : p.texel_m * dot(-to_light, p.direction_world) * distance_m;
   const vec4 clip = p.shadow_from_world *
-                    vec4(shadow_position(position, n, to_light, texel_m), 1.0);
+                    vec4(shadow_position(position, n, p.direction_world, texel_m), 1.0);
   if (clip.w <= 0.0) return 0.0;
   const vec3 ndc = clip.xyz / clip.w;
   const vec2 uv = ndc.xy * 0.5 + 0.5;

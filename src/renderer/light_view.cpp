@@ -15,6 +15,7 @@ constexpr float kShadowNearM = 0.02f;
 // A flat map spends its texels badly on a wider cone than this (half angle): 4 times as many on its
 // middle as on its edge. Such a spot gets a cube.
 constexpr float kWidestFlatSpotRad = 1.0f;
+constexpr float kNarrowestConeRad = 0.01f;
 
 glm::vec3 any_perpendicular(const glm::vec3& v) {
   const glm::vec3 axis = std::abs(v.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -23,9 +24,8 @@ glm::vec3 any_perpendicular(const glm::vec3& v) {
 
 // Rows of a matrix that takes world space to clip space with reversed z and no far plane:
 // x and y over w = the distance along `forward`, z = near.
-glm::mat4 perspective_view(const glm::vec3& position, const glm::vec3& right,
-                           const glm::vec3& down, const glm::vec3& forward, float scale,
-                           float near_m) {
+glm::mat4 perspective_view(const glm::vec3& position, const glm::vec3& right, const glm::vec3& down,
+                           const glm::vec3& forward, float scale, float near_m) {
   const glm::mat4 rows(glm::vec4(scale * right, -scale * glm::dot(right, position)),
                        glm::vec4(scale * down, -scale * glm::dot(down, position)),
                        glm::vec4(0, 0, 0, near_m),
@@ -52,14 +52,13 @@ glm::mat4 directional_view(const glm::vec3& forward, const Bounds& box, float& t
   texel_m = std::max(size.x, size.y) / static_cast<float>(kDirectionalSidePx);
   const glm::mat4 rows(glm::vec4(2.0f / size.x * right, -(low.x + high.x) / size.x),
                        glm::vec4(2.0f / size.y * down, -(low.y + high.y) / size.y),
-                       glm::vec4(-1.0f / size.z * forward, high.z / size.z),
-                       glm::vec4(0, 0, 0, 1));
+                       glm::vec4(-1.0f / size.z * forward, high.z / size.z), glm::vec4(0, 0, 0, 1));
   return glm::transpose(rows);
 }
 
 void look_into_cone(LightView& view, const Light& light) {
   LightParams& p = view.params;
-  const float half_width = std::tan(light.outer_cone_rad * 1.02f);
+  const float half_width = std::tan(std::max(light.outer_cone_rad, kNarrowestConeRad) * 1.02f);
   view.shadow_side_px = kSpotSidePx;
   p.texel_m = 2.0f * half_width / static_cast<float>(kSpotSidePx);
   const glm::vec3 right = any_perpendicular(p.direction_world);
@@ -83,7 +82,7 @@ void look_all_around(LightView& view) {
 
 // KHR_lights_punctual's angular attenuation, as one multiplication and one addition.
 void set_cone(LightParams& p, const Light& light) {
-  const float outer = std::clamp(light.outer_cone_rad, 0.01f, 1.5707f);
+  const float outer = std::clamp(light.outer_cone_rad, kNarrowestConeRad, 1.5707f);
   const float inner = std::clamp(light.inner_cone_rad, 0.0f, outer - 1e-3f);
   p.cone_scale = 1.0f / std::max(1e-3f, std::cos(inner) - std::cos(outer));
   p.cone_offset = -std::cos(outer) * p.cone_scale;

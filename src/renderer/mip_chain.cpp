@@ -10,7 +10,7 @@
 namespace lueur {
 namespace {
 
-constexpr size_t kEncodeSteps = 4096;
+constexpr size_t kEncodeSteps = 65536;
 
 // sRGB to light and back by tables: a texture has millions of texels.
 struct SrgbTables {

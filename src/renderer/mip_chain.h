@@ -8,8 +8,8 @@
 
 namespace lueur {
 
-// All levels of an RGBA image, finest first, each halved (rounded down, at least 1). Colours of sRGB
-// images are averaged as light; alpha, and all channels of others, as they are.
+// All levels of an RGBA image, finest first, each halved (rounded down, at least 1). Colours of
+// sRGB images are averaged as light; alpha, and all channels of others, as they are.
 struct MipChain {
   std::vector<Extent> extents;
   std::vector<std::vector<uint8_t>> levels;  // from level 1 on; level 0 is the image itself

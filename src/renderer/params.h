@@ -44,18 +44,19 @@ const uint kLightDirectional = 2u;
 struct LightParams {
   Screen screen;
   mat4 world_from_view;
-  mat4 shadow_from_world;   // clip space of the shadow map (spot, directional)
+  mat4 shadow_from_world;  // clip space of the shadow map (spot, directional)
   vec3 position_world;
-  vec3 direction_world;     // in which the light shines (spot, directional)
-  vec3 intensity;           // cd or lux, times colour
+  vec3 direction_world;  // in which the light shines (spot, directional)
+  vec3 intensity;        // cd or lux, times colour
   ivec2 extent;
   uint kind;
-  float cone_scale;         // KHR_lights_punctual: angular attenuation =
-  float cone_offset;        //   clamp(cos * scale + offset, 0, 1)^2
-  float shadow_near_m;      // near plane of the point light's faces
-  // Side of a shadow texel at distance 1 from the light; of a directional light, everywhere. Metres.
+  float cone_scale;     // KHR_lights_punctual: angular attenuation =
+  float cone_offset;    //   clamp(cos * scale + offset, 0, 1)^2
+  float shadow_near_m;  // near plane of the point light's faces
+  // Side of a shadow texel at distance 1 from the light; of a directional light, everywhere.
+  // Metres.
   float texel_m;
-  uint first;               // 1: start from emission; 0: add to what is there
+  uint first;  // 1: start from emission; 0: add to what is there
 };
 
 struct ComposeParams {

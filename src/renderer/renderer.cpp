@@ -22,7 +22,9 @@ struct Renderer::State {
 
 namespace {
 
-ivec2 as_ivec2(Extent e) { return ivec2(e.width, e.height); }
+ivec2 as_ivec2(Extent e) {
+  return ivec2(e.width, e.height);
+}
 
 View view_of_camera(const Camera& camera, const glm::mat4& world_from_node, Extent extent) {
   // A camera does not scale: keep the node's axes' directions and its place.
@@ -35,8 +37,7 @@ View view_of_camera(const Camera& camera, const glm::mat4& world_from_node, Exte
   // Reversed z, no far plane, y down in clip space.
   const float f = 1.0f / std::tan(0.5f * camera.vertical_fov_rad);
   glm::mat4 clip_from_view(0.0f);
-  clip_from_view[0][0] =
-      f * static_cast<float>(extent.height) / static_cast<float>(extent.width);
+  clip_from_view[0][0] = f * static_cast<float>(extent.height) / static_cast<float>(extent.width);
   clip_from_view[1][1] = -f;
   clip_from_view[2][3] = -1.0f;
   clip_from_view[3][2] = camera.near_m;
@@ -106,21 +107,21 @@ void FramePasses::g_buffer(RenderedImages& images, Image base_color) {
                         {"motion", images.motion}},
               .depth = DrawTarget{"depth", images.depth},
               .record = [&](DrawList& list) {
-                draw_all(list, [](const Material&) { return true; }, true);
+                draw_all(
+                    list, [](const Material&) { return true; }, true);
               }});
 }
 
 void FramePasses::surface(RenderedImages& images, Image base_color) {
-  frame.dispatch("renderer.surface",
-                 {.shader = shaders::renderer_surface_comp,
-                  .params = ComposeParams{as_ivec2(shot.extent), 0},
-                  .read = {{"base_color", base_color},
-                           {"material", images.material},
-                           {"emission", images.emission}},
-                  .write = {{"albedo", images.albedo},
-                            {"source", images.source},
-                            {"specular", images.specular}},
-                  .over = shot.extent});
+  frame.dispatch("renderer.surface", {.shader = shaders::renderer_surface_comp,
+                                      .params = ComposeParams{as_ivec2(shot.extent), 0},
+                                      .read = {{"base_color", base_color},
+                                               {"material", images.material},
+                                               {"emission", images.emission}},
+                                      .write = {{"albedo", images.albedo},
+                                                {"source", images.source},
+                                                {"specular", images.specular}},
+                                      .over = shot.extent});
 }
 
 Image FramePasses::shadow_map(const LightView& light) {
@@ -143,22 +144,23 @@ Image FramePasses::shadow_map(const LightView& light) {
                              .vertex_stride_bytes = sizeof(Vertex)};
     std::vector<Bound> read = {{"instances", instances}};
     if (any_masked) read.push_back({"materials", materials});
-    frame.draw("renderer.shadow",
-               {.state = state,
-                .params = ShadowParams{light.clip_from_world[layer]},
-                .read = read,
-                .depth = DrawTarget{"shadow_map", map, {}, layer},
-                .record = [&](DrawList& list) {
-                  if (any_masked) {
-                    draw_all(list, [](const Material&) { return true; }, false);
-                    return;
-                  }
-                  list.geometry(scene.vertices(), scene.indices());
-                  list.cull_back_faces(false);
-                  for (const DrawItem& item : draws)
-                    list.indexed(item.index_count, item.first_index, item.vertex_offset,
-                                 item.instance_count, item.first_instance);
-                }});
+    frame.draw("renderer.shadow", {.state = state,
+                                   .params = ShadowParams{light.clip_from_world[layer]},
+                                   .read = read,
+                                   .depth = DrawTarget{"shadow_map", map, {}, layer},
+                                   .record = [&](DrawList& list) {
+                                     if (any_masked) {
+                                       draw_all(
+                                           list, [](const Material&) { return true; }, false);
+                                       return;
+                                     }
+                                     list.geometry(scene.vertices(), scene.indices());
+                                     list.cull_back_faces(false);
+                                     for (const DrawItem& item : draws)
+                                       list.indexed(item.index_count, item.first_index,
+                                                    item.vertex_offset, item.instance_count,
+                                                    item.first_instance);
+                                   }});
   }
   return map;
 }
@@ -170,18 +172,17 @@ void FramePasses::light(const RenderedImages& images, Image base_color, const Li
   params.world_from_view = glm::inverse(glm::make_mat4(view.view_from_world.data()));
   params.extent = as_ivec2(shot.extent);
   const bool is_cube = light.clip_from_world.size() == 6;
-  frame.dispatch("renderer.light",
-                 {.shader = is_cube ? shaders::renderer_light_cube_comp
-                                    : shaders::renderer_light_flat_comp,
-                  .params = params,
-                  .read = {{"depth", images.depth},
-                           {"normal", images.normal},
-                           {"base_color", base_color},
-                           {"material", images.material},
-                           {"shadow_map", shadows,
-                            {.filter = gpu::Filter::linear, .compare = true}}},
-                  .write = {{"source", images.source}, {"specular", images.specular}},
-                  .over = shot.extent});
+  frame.dispatch(
+      "renderer.light",
+      {.shader = is_cube ? shaders::renderer_light_cube_comp : shaders::renderer_light_flat_comp,
+       .params = params,
+       .read = {{"depth", images.depth},
+                {"normal", images.normal},
+                {"base_color", base_color},
+                {"material", images.material},
+                {"shadow_map", shadows, {.filter = gpu::Filter::linear, .compare = true}}},
+       .write = {{"source", images.source}, {"specular", images.specular}},
+       .over = shot.extent});
 }
 
 void FramePasses::compose(RenderedImages& images) {
@@ -202,7 +203,9 @@ void FramePasses::compose(RenderedImages& images) {
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Renderer::~Renderer() = default;
 
-const std::vector<std::string>& Renderer::warnings() const { return state_->warnings; }
+const std::vector<std::string>& Renderer::warnings() const {
+  return state_->warnings;
+}
 
 Result<std::unique_ptr<Renderer>> Renderer::create(gpu::System& system, Context& context,
                                                    const Scene& scene) {
@@ -256,11 +259,10 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   frame.release(base_color);
 
   if (technique) {
-    const Inputs inputs{.view = passes.view,
-                        .g_buffer = {.depth = images.depth,
-                                     .normal = images.normal,
-                                     .source = images.source},
-                        .seed = shot.seed};
+    const Inputs inputs{
+        .view = passes.view,
+        .g_buffer = {.depth = images.depth, .normal = images.normal, .source = images.source},
+        .seed = shot.seed};
     images.indirect = technique->render(public_frame, inputs).diffuse;
   }
   images.composed = frame.image("composed", shot.extent, Format::rgba16f);

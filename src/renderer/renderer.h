@@ -17,8 +17,8 @@ namespace lueur {
 
 // What one frame shows.
 struct Shot {
-  Extent extent;            // pixels
-  int32_t camera = 0;       // index into Scene::cameras
+  Extent extent;       // pixels
+  int32_t camera = 0;  // index into Scene::cameras
   float time_s = 0;
   float previous_time_s = 0;  // of the frame before, for motion vectors
   uint32_t seed = 0;
@@ -26,21 +26,22 @@ struct Shot {
 
 // All images of one frame, W x H; linear Rec.709 where they hold light (cd/m² for glTF scenes).
 struct RenderedImages {
-  Image depth;      // d32f, reversed z, infinitely far plane, 0 where nothing is
-  Image normal;     // rg16_snorm, octahedral, world space
-  Image albedo;     // rgba16f: diffuse albedo, base colour * (1 - metallic)
-  Image material;   // rgba8: r metallic, g perceptual roughness
-  Image emission;   // rgba16f: emitted radiance
-  Image motion;     // rg16f: UV now minus UV in the previous frame
-  Image source;     // rgba16f: diffuse direct radiance + emission; what the technique gets
-  Image specular;   // rgba16f: specular direct radiance
-  Image indirect;   // rgba16f: E/pi from the technique; invalid without one
-  Image composed;   // rgba16f: the picture, scene-referred
+  Image depth;     // d32f, reversed z, infinitely far plane, 0 where nothing is
+  Image normal;    // rg16_snorm, octahedral, world space
+  Image albedo;    // rgba16f: diffuse albedo, base colour * (1 - metallic)
+  Image material;  // rgba8: r metallic, g perceptual roughness
+  Image emission;  // rgba16f: emitted radiance
+  Image motion;    // rg16f: UV now minus UV in the previous frame
+  Image source;    // rgba16f: diffuse direct radiance + emission; what the technique gets
+  Image specular;  // rgba16f: specular direct radiance
+  Image indirect;  // rgba16f: E/pi from the technique; invalid without one
+  Image composed;  // rgba16f: the picture, scene-referred
 };
 
 class Renderer {
  public:
-  // Uploads the scene. `system` and `context` must outlive the renderer. Fails when memory runs out.
+  // Uploads the scene. `system` and `context` must outlive the renderer. Fails when memory runs
+  // out.
   static Result<std::unique_ptr<Renderer>> create(gpu::System& system, Context& context,
                                                   const Scene& scene);
   ~Renderer();

@@ -37,28 +37,32 @@ Result<gpu::Texture> upload_texture(Uploader& uploader, gpu::Device& device,
   const MipChain chain = make_mip_chain(rgba, extent, encoding == Encoding::srgb);
   std::vector<std::span<const uint8_t>> levels{rgba};
   levels.insert(levels.end(), chain.levels.begin(), chain.levels.end());
-  LUEUR_TRY(texture, gpu::Texture::create(
-                         device, {.name = name,
-                                  .extent = extent,
-                                  .format = encoding == Encoding::srgb ? Format::rgba8_srgb
-                                                                       : Format::rgba8,
-                                  .usage = VK_IMAGE_USAGE_SAMPLED_BIT |
-                                           VK_IMAGE_USAGE_TRANSFER_DST_BIT,
-                                  .mip_levels = static_cast<uint32_t>(levels.size())}));
+  LUEUR_TRY(texture,
+            gpu::Texture::create(
+                device, {.name = name,
+                         .extent = extent,
+                         .format = encoding == Encoding::srgb ? Format::rgba8_srgb : Format::rgba8,
+                         .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
+                         .mip_levels = static_cast<uint32_t>(levels.size())}));
   LUEUR_TRY_VOID(uploader.to_texture(levels, chain.extents, texture));
   return std::move(texture);
 }
 
 gpu::Address address(Wrap wrap) {
   switch (wrap) {
-    case Wrap::repeat: return gpu::Address::repeat;
-    case Wrap::clamp_to_edge: return gpu::Address::clamp_to_edge;
-    case Wrap::mirrored_repeat: return gpu::Address::mirrored_repeat;
+    case Wrap::repeat:
+      return gpu::Address::repeat;
+    case Wrap::clamp_to_edge:
+      return gpu::Address::clamp_to_edge;
+    case Wrap::mirrored_repeat:
+      return gpu::Address::mirrored_repeat;
   }
   return gpu::Address::repeat;
 }
 
-bool is_mirrored(const glm::mat4& m) { return glm::determinant(glm::mat3(m)) < 0.0f; }
+bool is_mirrored(const glm::mat4& m) {
+  return glm::determinant(glm::mat3(m)) < 0.0f;
+}
 
 }  // namespace
 
@@ -93,7 +97,8 @@ Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& de
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;
   for (const Mesh& mesh : scene.meshes) {
-    meshes_.push_back({static_cast<uint32_t>(indices.size()), static_cast<int32_t>(vertices.size())});
+    meshes_.push_back(
+        {static_cast<uint32_t>(indices.size()), static_cast<int32_t>(vertices.size())});
     primitives_.push_back(mesh.primitives);
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
@@ -109,11 +114,10 @@ Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& de
                                          .bytes = vertex_bytes.size(),
                                          .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT |
                                                   VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
-  LUEUR_TRY(index_buffer,
-            gpu::Buffer::create(device, {.name = "indices",
-                                         .bytes = index_bytes.size(),
-                                         .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
-                                                  VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
+  LUEUR_TRY(index_buffer, gpu::Buffer::create(device, {.name = "indices",
+                                                       .bytes = index_bytes.size(),
+                                                       .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+                                                                VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
   vertices_ = std::move(vertex_buffer);
   indices_ = std::move(index_buffer);
   Uploader uploader(system, device);

@@ -56,7 +56,7 @@ class SceneOnDevice {
   void make_materials(Recorder& recorder, const Scene& scene);
 
   std::vector<Material> scene_materials_;
-  std::vector<MeshInstance> instances_;  // ordered by mesh
+  std::vector<MeshInstance> instances_;             // ordered by mesh
   std::vector<std::vector<Primitive>> primitives_;  // by mesh
   std::vector<MeshRange> meshes_;
   gpu::Buffer vertices_;

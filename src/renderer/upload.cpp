@@ -18,11 +18,11 @@ Result<uint64_t> Uploader::stage(std::span<const std::byte> bytes) {
   if (used_ + bytes.size() > staging_.bytes()) {
     LUEUR_TRY_VOID(flush());
     if (bytes.size() > staging_.bytes()) {
-      LUEUR_TRY(buffer,
-                gpu::Buffer::create(device_, {.name = "staging",
-                                              .bytes = std::max<uint64_t>(bytes.size(), kBatchBytes),
-                                              .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
-                                              .kind = gpu::MemoryKind::upload}));
+      LUEUR_TRY(buffer, gpu::Buffer::create(device_,
+                                            {.name = "staging",
+                                             .bytes = std::max<uint64_t>(bytes.size(), kBatchBytes),
+                                             .usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT,
+                                             .kind = gpu::MemoryKind::upload}));
       staging_ = std::move(buffer);
     }
   }

@@ -34,9 +34,8 @@ LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float perceptual_roughness, float cos_light,
   const float a2 = alpha * alpha;
   const float d = cos_normal_half * cos_normal_half * (a2 - 1.0f) + 1.0f;
   const float distribution = a2 / (kPi * d * d);
-  const float visibility =
-      0.5f / (cos_light * sqrt(cos_view * cos_view * (1.0f - a2) + a2) +
-              cos_view * sqrt(cos_light * cos_light * (1.0f - a2) + a2));
+  const float visibility = 0.5f / (cos_light * sqrt(cos_view * cos_view * (1.0f - a2) + a2) +
+                                   cos_view * sqrt(cos_light * cos_light * (1.0f - a2) + a2));
   return fresnel_schlick(f0, cos_light_half) * (distribution * visibility);
 }
 

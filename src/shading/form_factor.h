@@ -17,10 +17,11 @@ LUEUR_SHARED float foreshortening(vec3 normal_view, vec2 ray, float most) {
 }
 
 // Irradiance over pi that a patch of radiance 1 gives to a point: HSSIL (4), point to disc.
-//   cos(theta) cos(theta') ds / (pi r^2)  ~  R^2 cos(theta) / (r^2 + R^2),  R^2 = cos(theta') ds / pi
-// `to_patch` goes from the receiver to the patch; normals are unit; area_over_pi = ds / pi. Exact for
-// a parallel disc above the receiver, and never above 1. With a = r cos(theta'), b = r cos(theta) and
-// both sides of the fraction times r^2 it takes one square root and one division:
+//   cos(theta) cos(theta') ds / (pi r^2)  ~  R^2 cos(theta) / (r^2 + R^2),  R^2 = cos(theta') ds /
+//   pi
+// `to_patch` goes from the receiver to the patch; normals are unit; area_over_pi = ds / pi. Exact
+// for a parallel disc above the receiver, and never above 1. With a = r cos(theta'), b = r
+// cos(theta) and both sides of the fraction times r^2 it takes one square root and one division:
 //   a b ds/pi / (r^4 + a r ds/pi)
 LUEUR_SHARED float disc_form_factor(vec3 to_patch, vec3 normal_receiver, vec3 normal_patch,
                                     float area_over_pi) {

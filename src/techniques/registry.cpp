@@ -18,7 +18,9 @@ const TechniqueInfo kTechniques[] = {
 
 }  // namespace
 
-std::span<const TechniqueInfo> techniques() { return kTechniques; }
+std::span<const TechniqueInfo> techniques() {
+  return kTechniques;
+}
 
 const TechniqueInfo* find_technique(std::string_view name) {
   for (const TechniqueInfo& info : kTechniques)

@@ -28,8 +28,8 @@ std::string allowed(const SettingInfo& info) {
 }
 
 Error bad_value(const SettingInfo& info, std::string_view text) {
-  return {ErrorKind::usage, std::string(info.name) + "=" + std::string(text) + ": takes " +
-                                allowed(info)};
+  return {ErrorKind::usage,
+          std::string(info.name) + "=" + std::string(text) + ": takes " + allowed(info)};
 }
 
 // The value that `text` stands for, or NaN.
@@ -69,8 +69,7 @@ Result<void> set_from_text(std::span<const SettingInfo> table, void* settings,
     info.set(settings, value);
     return {};
   }
-  return Error{ErrorKind::usage,
-               std::string(name) + ": no such setting; there is " + names};
+  return Error{ErrorKind::usage, std::string(name) + ": no such setting; there is " + names};
 }
 
 std::string to_text(const SettingInfo& info, const void* settings) {

@@ -37,9 +37,9 @@ class GpuTest : public testing::Test {
 struct CpuGBuffer {
   Extent extent;
   View view;
-  std::vector<float> depth;         // as the projection yields it
-  std::vector<glm::vec3> normal;    // world
-  std::vector<glm::vec3> source;    // radiance
+  std::vector<float> depth;       // as the projection yields it
+  std::vector<glm::vec3> normal;  // world
+  std::vector<glm::vec3> source;  // radiance
   std::vector<glm::dvec3> position_view;
 
   // Uploads it in float formats, so that nothing is lost on the way in.
@@ -52,8 +52,8 @@ struct CpuHit {
   glm::dvec3 normal;
   glm::dvec3 radiance;
 };
-using CpuScene = std::function<std::optional<CpuHit>(const glm::dvec3& origin,
-                                                     const glm::dvec3& direction)>;
+using CpuScene =
+    std::function<std::optional<CpuHit>(const glm::dvec3& origin, const glm::dvec3& direction)>;
 
 // Casts a ray through each pixel's centre. The camera stands at `eye`, looks along -z turned by
 // `turn` (world from view).

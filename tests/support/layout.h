@@ -41,5 +41,7 @@ inline void expect_layout(const gpu::ShaderCode& code, const std::string& block,
 
 }  // namespace lueur
 
-#define LUEUR_MEMBER(type, member) \
-  std::pair<const char*, size_t> { #member, offsetof(type, member) }
+#define LUEUR_MEMBER(type, member)  \
+  std::pair<const char*, size_t> {  \
+#member, offsetof(type, member) \
+  }

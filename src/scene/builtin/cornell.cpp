@@ -21,7 +21,7 @@ constexpr glm::vec3 kRed{0.490f, 0.050f, 0.051f};
 // The lamp's radiance is in proportion to 17 : 12 : 4, as renderers commonly take it.
 constexpr glm::vec3 kLampColor{1.0f, 15.6f / 18.4f, 8.0f / 18.4f};
 constexpr float kLampRadiance = 1000.0f;  // cd/m² that the lamp's flux stands for
-constexpr float kPanelShare = 0.05f;       // of it that the panel itself radiates
+constexpr float kPanelShare = 0.05f;      // of it that the panel itself radiates
 
 constexpr float kScale = 0.01f;         // the data are in millimetres; ten times life size
 constexpr float kWallThickness = 0.3f;  // m
@@ -85,9 +85,9 @@ void add_walls(Scene& scene, int32_t white, int32_t green, int32_t red) {
 }
 
 // The luminous panel and, just below it, a spot with the panel's flux; both hang on one node that
-// slides from its measured place to the left and right. The spot carries the light; the panel itself
-// glows with a twentieth of it, which still is far above white in the picture: with all of it, every
-// renderer that lets emission light other surfaces would count the lamp twice.
+// slides from its measured place to the left and right. The spot carries the light; the panel
+// itself glows with a twentieth of it, which still is far above white in the picture: with all of
+// it, every renderer that lets emission light other surfaces would count the lamp twice.
 void add_lamp(Scene& scene) {
   Material panel;
   panel.name = "lamp";

@@ -28,8 +28,8 @@ LUEUR_SHARED float sample_radius_px(float inner_px, float outer_px, uint i, uint
   return sqrt(mix(inner_px * inner_px, outer_px * outer_px, t));
 }
 
-// Pixels differ in where their spiral starts, with a period of 3 x 3: nine pixels together hold nine
-// interleaved spirals (a rank-1 lattice in shift and turn), and the 3 x 3 filter that follows
+// Pixels differ in where their spiral starts, with a period of 3 x 3: nine pixels together hold
+// nine interleaved spirals (a rank-1 lattice in shift and turn), and the 3 x 3 filter that follows
 // averages just these nine. x: shift in [0, 1), y: turn in [0, 1).
 LUEUR_SHARED vec2 spiral_start(uvec2 pixel, uint level, uint seed, bool rotate) {
   const float cell = rotate ? float((pixel.x % 3u) + 3u * (pixel.y % 3u)) : 4.0f;
@@ -43,7 +43,8 @@ LUEUR_SHARED vec2 spiral_start(uvec2 pixel, uint level, uint seed, bool rotate) 
 LUEUR_SHARED float bilateral_weight(vec3 position_p, vec3 normal_p, vec3 position_q, vec3 normal_q,
                                     float flatness) {
   const float distance_m = abs(dot(normal_p, position_q - position_p));
-  const float near = max(1.0f + distance_m / (position_p.z * flatness), 0.0f);  // view z is negative
+  const float near =
+      max(1.0f + distance_m / (position_p.z * flatness), 0.0f);  // view z is negative
   float alike = max(dot(normal_p, normal_q), 0.0f);
   alike *= alike;
   alike *= alike;

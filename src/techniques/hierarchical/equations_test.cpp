@@ -22,7 +22,9 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 
 // E/pi under a parallel disc of radius a and radiance 1 at height h.
-double disc_closed_form(double a, double h) { return a * a / (h * h + a * a); }
+double disc_closed_form(double a, double h) {
+  return a * a / (h * h + a * a);
+}
 
 // The disc cut into rings x sectors, each one sample.
 double subdivided_disc(double a, double h, int rings, bool point) {
@@ -102,8 +104,8 @@ TEST(FormFactor, PixelAreasAddUpToThePlane) {
                      (2.0 * (y + 0.5) / kSide - 1) * tan_half);
       // The plane n.p = n.(0,0,-3): z along this ray.
       const double z = 3.0 * normal.z / (normal.z - normal.x * ray.x - normal.y * ray.y);
-      area += z * z * 4 * tan_half * tan_half / (kSide * kSide) *
-              foreshortening(normal, ray, 20.0f);
+      area +=
+          z * z * 4 * tan_half * tan_half / (kSide * kSide) * foreshortening(normal, ray, 20.0f);
     }
   }
   // The four corners of what is seen, as two triangles.
@@ -193,12 +195,12 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
   expect_layout(s::techniques_hierarchical_prepare_comp, "params", sizeof(PrepareParams),
                 {LUEUR_MEMBER(PrepareParams, screen), LUEUR_MEMBER(PrepareParams, view_from_world),
                  LUEUR_MEMBER(PrepareParams, full_extent), LUEUR_MEMBER(PrepareParams, extent)});
-  expect_layout(s::techniques_hierarchical_downsample_comp, "push", sizeof(DownsampleParams),
-                {LUEUR_MEMBER(DownsampleParams, screen), LUEUR_MEMBER(DownsampleParams, fine_scale),
-                 LUEUR_MEMBER(DownsampleParams, fine_extent),
-                 LUEUR_MEMBER(DownsampleParams, extent)});
-  for (const gpu::ShaderCode* code : {&s::techniques_hierarchical_gather_comp,
-                                      &s::techniques_hierarchical_gather_all_comp})
+  expect_layout(
+      s::techniques_hierarchical_downsample_comp, "push", sizeof(DownsampleParams),
+      {LUEUR_MEMBER(DownsampleParams, screen), LUEUR_MEMBER(DownsampleParams, fine_scale),
+       LUEUR_MEMBER(DownsampleParams, fine_extent), LUEUR_MEMBER(DownsampleParams, extent)});
+  for (const gpu::ShaderCode* code :
+       {&s::techniques_hierarchical_gather_comp, &s::techniques_hierarchical_gather_all_comp})
     expect_layout(*code, "push", sizeof(GatherParams),
                   {LUEUR_MEMBER(GatherParams, screen), LUEUR_MEMBER(GatherParams, extent),
                    LUEUR_MEMBER(GatherParams, inner_px), LUEUR_MEMBER(GatherParams, outer_px),
@@ -211,17 +213,18 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
                 {LUEUR_MEMBER(UpsampleParams, screen), LUEUR_MEMBER(UpsampleParams, coarse_scale),
                  LUEUR_MEMBER(UpsampleParams, extent), LUEUR_MEMBER(UpsampleParams, coarse_extent),
                  LUEUR_MEMBER(UpsampleParams, own_weight)});
-  expect_layout(s::techniques_hierarchical_output_comp, "params", sizeof(OutputParams),
-                {LUEUR_MEMBER(OutputParams, screen), LUEUR_MEMBER(OutputParams, view_from_world),
-                 LUEUR_MEMBER(OutputParams, coarse_scale), LUEUR_MEMBER(OutputParams, extent),
-                 LUEUR_MEMBER(OutputParams, coarse_extent), LUEUR_MEMBER(OutputParams, alpha_scale)});
+  expect_layout(
+      s::techniques_hierarchical_output_comp, "params", sizeof(OutputParams),
+      {LUEUR_MEMBER(OutputParams, screen), LUEUR_MEMBER(OutputParams, view_from_world),
+       LUEUR_MEMBER(OutputParams, coarse_scale), LUEUR_MEMBER(OutputParams, extent),
+       LUEUR_MEMBER(OutputParams, coarse_extent), LUEUR_MEMBER(OutputParams, alpha_scale)});
   expect_layout(s::frame_scan_comp, "push", sizeof(ScanParams),
                 {LUEUR_MEMBER(ScanParams, extent), LUEUR_MEMBER(ScanParams, row),
                  LUEUR_MEMBER(ScanParams, allow_negative)});
-  expect_layout(s::frame_scan_comp, "rows", sizeof(ScanRow),
-                {LUEUR_MEMBER(ScanRow, nan_pixels), LUEUR_MEMBER(ScanRow, infinite_pixels),
-                 LUEUR_MEMBER(ScanRow, negative_pixels),
-                 LUEUR_MEMBER(ScanRow, inverted_first_pixel)});
+  expect_layout(
+      s::frame_scan_comp, "rows", sizeof(ScanRow),
+      {LUEUR_MEMBER(ScanRow, nan_pixels), LUEUR_MEMBER(ScanRow, infinite_pixels),
+       LUEUR_MEMBER(ScanRow, negative_pixels), LUEUR_MEMBER(ScanRow, inverted_first_pixel)});
 }
 
 }  // namespace

@@ -27,19 +27,20 @@ constexpr std::array kSettings = {
                                "Levels of the pyramid; each doubles the reach."),
     setting<&Settings::samples>("samples", 1, 256, "samples",
                                 "Samples a pixel takes at the two finest levels."),
-    setting<&Settings::sample_growth>(
-        "sample_growth", 1, 4, "times",
-        "Each further level takes so many times the samples of the one before, at most every pixel."),
-    setting<&Settings::radius>("radius", 1, 4096, "px",
-                               "Radius of the ring in pixels of its level; level k reaches radius * 2^k."),
+    setting<&Settings::sample_growth>("sample_growth", 1, 4, "times",
+                                      "Each further level takes so many times the samples of the "
+                                      "one before, at most every pixel."),
+    setting<&Settings::radius>(
+        "radius", 1, 4096, "px",
+        "Radius of the ring in pixels of its level; level k reaches radius * 2^k."),
     choice<&Settings::form_factor>(
         "form_factor", kFormFactorNames,
         "disc: HSSIL (4), bounded; point: HSSIL (3), noisy where surfaces meet."),
     choice<&Settings::sampling>(
         "sampling", kSamplingNames,
         "sparse: as many samples as `samples`; every_pixel: all pixels of the ring, slow."),
-    toggle<&Settings::rotate>("rotate",
-                              "Give neighbouring pixels different samples, which `filter` averages."),
+    toggle<&Settings::rotate>(
+        "rotate", "Give neighbouring pixels different samples, which `filter` averages."),
     toggle<&Settings::filter>("filter", "Filter each level 3 x 3 along its surfaces."),
     setting<&Settings::only_level>("only_level", 0, 8, "",
                                    "Gather at this level only, counted from 1; 0: at all levels."),
@@ -53,10 +54,14 @@ struct Level {
   Image source;
 };
 
-ivec2 as_ivec2(Extent e) { return ivec2(e.width, e.height); }
+ivec2 as_ivec2(Extent e) {
+  return ivec2(e.width, e.height);
+}
 
 // upsample.glsl takes one thread for each corner between coarse pixels, the image's edges included.
-Extent corners_of(Extent coarse) { return {coarse.width + 1, coarse.height + 1}; }
+Extent corners_of(Extent coarse) {
+  return {coarse.width + 1, coarse.height + 1};
+}
 
 std::string at_level(const char* pass, uint32_t level) {
   return std::string("hierarchical.") + pass + "@" + std::to_string(level);
@@ -93,23 +98,23 @@ std::vector<Level> Pass::build_pyramid() {
     level.source = frame.image("source", level.extent, Format::rgba16f);
     const std::string name = at_level("pyramid", k);
     if (k == 0) {
-      frame.dispatch(name, {.shader = shaders::techniques_hierarchical_prepare_comp,
-                            .constants = {{"factor", static_cast<uint32_t>(factor)}},
-                            .params = PrepareParams{screen, view_from_world,
-                                                    as_ivec2(g.depth.extent),
-                                                    as_ivec2(level.extent)},
-                            .read = {{"depth", g.depth}, {"normal", g.normal}, {"source", g.source}},
-                            .write = {{"geometry_out", level.geometry}, {"source_out", level.source}},
-                            .over = level.extent});
+      frame.dispatch(name,
+                     {.shader = shaders::techniques_hierarchical_prepare_comp,
+                      .constants = {{"factor", static_cast<uint32_t>(factor)}},
+                      .params = PrepareParams{screen, view_from_world, as_ivec2(g.depth.extent),
+                                              as_ivec2(level.extent)},
+                      .read = {{"depth", g.depth}, {"normal", g.normal}, {"source", g.source}},
+                      .write = {{"geometry_out", level.geometry}, {"source_out", level.source}},
+                      .over = level.extent});
     } else {
       const Level& fine = levels.back();
-      frame.dispatch(name, {.shader = shaders::techniques_hierarchical_downsample_comp,
-                            .params = DownsampleParams{level.screen, fine.screen.ray_scale,
-                                                       as_ivec2(fine.extent),
-                                                       as_ivec2(level.extent)},
-                            .read = {{"geometry", fine.geometry}, {"source", fine.source}},
-                            .write = {{"geometry_out", level.geometry}, {"source_out", level.source}},
-                            .over = level.extent});
+      frame.dispatch(name,
+                     {.shader = shaders::techniques_hierarchical_downsample_comp,
+                      .params = DownsampleParams{level.screen, fine.screen.ray_scale,
+                                                 as_ivec2(fine.extent), as_ivec2(level.extent)},
+                      .read = {{"geometry", fine.geometry}, {"source", fine.source}},
+                      .write = {{"geometry_out", level.geometry}, {"source_out", level.source}},
+                      .over = level.extent});
     }
     levels.push_back(level);
   }
@@ -121,8 +126,7 @@ Image Pass::gather(const Level& level, uint32_t index) {
   const bool every_pixel = settings.sampling == Settings::Sampling::every_pixel;
   const uint32_t samples = samples_at_level(settings, index);
   const float pixels_per_sample =
-      every_pixel ? 1.0f
-                  : ring_area_px(index, settings.radius) / static_cast<float>(samples);
+      every_pixel ? 1.0f : ring_area_px(index, settings.radius) / static_cast<float>(samples);
   GatherParams params{};
   params.screen = level.screen;
   params.extent = as_ivec2(level.extent);
@@ -138,17 +142,17 @@ Image Pass::gather(const Level& level, uint32_t index) {
 
   const Image indirect = frame.image("indirect", level.extent, Format::rgba16f);
   const uint32_t pixels_per_thread = every_pixel ? 1 : (frame.runs_on_cpu() ? 8 : 1);
-  Dispatch dispatch{.shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
-                                          : shaders::techniques_hierarchical_gather_comp,
-                    .constants = {{"form_factor", static_cast<uint32_t>(settings.form_factor)}},
-                    .params = params,
-                    .read = {{"geometry", level.geometry}, {"source", level.source}},
-                    .write = {{"indirect", indirect}},
-                    .over = {level.extent.width,
-                             // Rows in groups of 3 a thread, see gather.comp.
-                             every_pixel ? level.extent.height
-                                         : 3 * divide_up(level.extent.height,
-                                                         3 * pixels_per_thread)}};
+  Dispatch dispatch{
+      .shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
+                            : shaders::techniques_hierarchical_gather_comp,
+      .constants = {{"form_factor", static_cast<uint32_t>(settings.form_factor)}},
+      .params = params,
+      .read = {{"geometry", level.geometry}, {"source", level.source}},
+      .write = {{"indirect", indirect}},
+      .over = {level.extent.width,
+               // Rows in groups of 3 a thread, see gather.comp.
+               every_pixel ? level.extent.height
+                           : 3 * divide_up(level.extent.height, 3 * pixels_per_thread)}};
   if (!every_pixel) dispatch.constants.push_back({"pixels_per_thread", pixels_per_thread});
   frame.dispatch(at_level("gather", index), dispatch);
   return indirect;
@@ -172,18 +176,18 @@ Image Pass::filter(const Level& level, uint32_t index, Image light) {
 Image Pass::combine(const Level& fine, uint32_t index, const Level& coarse, Image own,
                     Image light) {
   const Image combined = frame.image("combined", fine.extent, Format::rgba16f);
-  frame.dispatch(at_level("combine", index),
-                 {.shader = shaders::techniques_hierarchical_combine_comp,
-                  .constants = {{"factor", 2}},
-                  .params = UpsampleParams{fine.screen, coarse.screen.ray_scale,
-                                           as_ivec2(fine.extent), as_ivec2(coarse.extent),
-                                           own.valid() ? 1.0f : 0.0f},
-                  .read = {{"geometry", coarse.geometry},
-                           {"light", light},
-                           {"fine_geometry", fine.geometry},
-                           {"own", own.valid() ? own : light}},
-                  .write = {{"combined", combined}},
-                  .over = corners_of(coarse.extent)});
+  frame.dispatch(
+      at_level("combine", index),
+      {.shader = shaders::techniques_hierarchical_combine_comp,
+       .constants = {{"factor", 2}},
+       .params = UpsampleParams{fine.screen, coarse.screen.ray_scale, as_ivec2(fine.extent),
+                                as_ivec2(coarse.extent), own.valid() ? 1.0f : 0.0f},
+       .read = {{"geometry", coarse.geometry},
+                {"light", light},
+                {"fine_geometry", fine.geometry},
+                {"own", own.valid() ? own : light}},
+       .write = {{"combined", combined}},
+       .over = corners_of(coarse.extent)});
   frame.release(light);
   frame.release(own);
   return combined;
@@ -210,7 +214,9 @@ Image Pass::output(const Level& level, Image light, uint32_t gathered_levels) {
 
 }  // namespace
 
-std::span<const SettingInfo> Hierarchical::settings_table() { return kSettings; }
+std::span<const SettingInfo> Hierarchical::settings_table() {
+  return kSettings;
+}
 
 uint32_t samples_at_level(const HierarchicalSettings& settings, uint32_t level) {
   uint32_t samples = static_cast<uint32_t>(settings.samples);

@@ -16,7 +16,8 @@ constexpr double kPi = std::numbers::pi;
 class HierarchicalTest : public GpuTest {
  protected:
   // E/pi of every pixel.
-  std::vector<glm::dvec3> diffuse(const CpuGBuffer& g, const Settings& settings, uint32_t seed = 0) {
+  std::vector<glm::dvec3> diffuse(const CpuGBuffer& g, const Settings& settings,
+                                  uint32_t seed = 0) {
     run([&](Frame& frame) {
       Hierarchical technique(settings);
       const Outputs out = technique.render(
@@ -98,8 +99,8 @@ std::vector<glm::dvec3> brute_force(const CpuGBuffer& g, double vertical_fov_rad
       const double z = -p.z;
       const double cos_alpha = z / glm::length(p);
       const double cos_beta = -glm::dot(n_i, p) / glm::length(p);
-      const double ds = z * z * 4 * tan_h * tan_v / (w * h) *
-                        std::min(cos_alpha / cos_beta, 20.0);  // (2)
+      const double ds =
+          z * z * 4 * tan_h * tan_v / (w * h) * std::min(cos_alpha / cos_beta, 20.0);  // (2)
       const glm::dvec3 d = p - g.position_view[x];
       const double r = glm::length(d);
       const double cos_theta = std::max(glm::dot(n, d) / r, 0.0);
@@ -183,7 +184,8 @@ TEST_F(HierarchicalTest, WallOverFloorFollowsTheClosedForm) {
     const double c = p.z - kBack;
     // Right at the wall a single pixel of it counts, and its size with it.
     if (c < 0.1 || std::abs(p.x) > 1.0) continue;
-    const double exact = one_side(kHalfWidth - p.x, kHeight, c) + one_side(kHalfWidth + p.x, kHeight, c);
+    const double exact =
+        one_side(kHalfWidth - p.x, kHeight, c) + one_side(kHalfWidth + p.x, kHeight, c);
     ASSERT_NEAR(light[i].x / exact, 1.0, 0.02) << "at " << p.x << ", " << c << " m off the wall";
     ++compared;
   }

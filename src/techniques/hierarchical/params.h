@@ -21,8 +21,8 @@ struct PrepareParams {
 };
 
 struct DownsampleParams {
-  Screen screen;      // of the level that is written
-  vec2 fine_scale;    // ray_scale of the level that is read
+  Screen screen;    // of the level that is written
+  vec2 fine_scale;  // ray_scale of the level that is read
   ivec2 fine_extent;
   ivec2 extent;
 };
@@ -47,20 +47,20 @@ struct FilterParams {
 };
 
 struct UpsampleParams {
-  Screen screen;       // of the fine level
-  vec2 coarse_scale;   // ray_scale of the coarse level
-  ivec2 extent;        // fine, pixels
+  Screen screen;      // of the fine level
+  vec2 coarse_scale;  // ray_scale of the coarse level
+  ivec2 extent;       // fine, pixels
   ivec2 coarse_extent;
-  float own_weight;    // 1: add the fine level's own light, 0: do not
+  float own_weight;  // 1: add the fine level's own light, 0: do not
 };
 
 struct OutputParams {
-  Screen screen;         // of the full image
+  Screen screen;  // of the full image
   mat3 view_from_world;
   vec2 coarse_scale;
-  ivec2 extent;          // of the full image
+  ivec2 extent;  // of the full image
   ivec2 coarse_extent;
-  float alpha_scale;     // 1 / number of levels gathered
+  float alpha_scale;  // 1 / number of levels gathered
 };
 
 LUEUR_NAMESPACE_END
