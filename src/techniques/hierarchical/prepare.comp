@@ -18,34 +18,39 @@ layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D geometry_out;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D source_out;
 layout(set = 0, binding = 5, scalar) uniform Params { PrepareParams value; } params;
 
-// Normal in view space and z of a pixel of the G-buffer; 0 where there is no surface.
-vec4 load(ivec2 child) {
-  const PrepareParams p = params.value;
-  if (any(greaterThanEqual(child, p.full_extent))) return vec4(0.0);
-  const float d = texelFetch(depth, child, 0).r;
-  if (d == p.screen.depth_of_nothing) return vec4(0.0);
-  return vec4(p.view_from_world * octahedral_decode(texelFetch(normal, child, 0).rg),
-              z_from_depth(p.screen, d));
-}
-
 void main() {
   const PrepareParams p = params.value;
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, p.extent))) return;
 
+  // All fetches first: they do not wait for each other's arithmetic.
+  float d[factor * factor];
+  vec2 n[factor * factor];
+  vec3 radiance[factor * factor];
+  for (int i = 0; i < factor * factor; ++i) {
+    const ivec2 child =
+        min(pixel * factor + ivec2(i % factor, i / factor), p.full_extent - 1);
+    d[i] = texelFetch(depth, child, 0).r;
+    n[i] = texelFetch(normal, child, 0).rg;
+    radiance[i] = texelFetch(source, child, 0).rgb;
+  }
+
+  // Normal in view space and z of each pixel; z = 0 where there is no surface, and beyond the image's
+  // edge. Both count as black: the sum of radiance times area is the same at every level.
   vec4 children[factor * factor];
   int nearest = 0;
-  vec3 radiance = vec3(0.0);
+  vec3 radiance_sum = vec3(0.0);
   for (int i = 0; i < factor * factor; ++i) {
     const ivec2 child = pixel * factor + ivec2(i % factor, i / factor);
-    children[i] = load(child);
-    // Pixels without a surface, and those beyond the image's edge, count as black: the sum of
-    // radiance times area is the same at every level.
-    if (children[i].w > 0.0) radiance += texelFetch(source, child, 0).rgb;
+    const bool is_surface =
+        d[i] != p.screen.depth_of_nothing && all(lessThan(child, p.full_extent));
+    children[i] = is_surface ? vec4(p.view_from_world * octahedral_decode(n[i]),
+                                    z_from_depth(p.screen, d[i]))
+                             : vec4(0.0);
+    if (is_surface) radiance_sum += radiance[i];
     const bool is_first = children[nearest].w == 0.0;
-    if (children[i].w > 0.0 && (is_first || children[i].w < children[nearest].w)) nearest = i;
+    if (is_surface && (is_first || children[i].w < children[nearest].w)) nearest = i;
   }
-  radiance /= float(factor * factor);
 
   const vec2 first_ray = ray_through(p.screen, vec2(pixel * factor) + 0.5);
   const vec2 ray = ray_through(p.screen, (vec2(pixel) + 0.5) * float(factor));
@@ -57,5 +62,5 @@ void main() {
       add_to_surface(sum, children[nearest], nearest_ray, children[i],
                      first_ray + vec2(i % factor, i / factor) * p.screen.ray_scale, ray);
   const vec4 surface = surface_mean(sum);
-  write_level(pixel, surface, ray, radiance);
+  write_level(pixel, surface, ray, radiance_sum / float(factor * factor));
 }
