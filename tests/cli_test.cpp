@@ -109,7 +109,7 @@ class Cli : public testing::Test {
         std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
   }
 
-  static inline fs::path base_;
+  static inline fs::path base_;  // NOLINT(readability-identifier-naming): a static member
   fs::path folder_;
 };
 
@@ -285,11 +285,11 @@ TEST_F(Cli, ExrLayers) {
   const auto layers = read_exr(folder_ / "a.exr");
   ASSERT_TRUE(layers.ok()) << layers.error().message;
   const auto find = [&](const std::string& name) -> const ImageF& {
-    static const ImageF missing;
+    static const ImageF kMissing;
     for (const ImageLayer& layer : *layers)
       if (layer.name == name) return layer.image;
     ADD_FAILURE() << "no layer " << name;
-    return missing;
+    return kMissing;
   };
   for (const char* name : {"emission", "motion", "material", "off_screen"}) find(name);
   const ImageF &composed = find(""), &direct = find("direct"), &indirect = find("indirect"),

@@ -132,7 +132,7 @@ class PipelineCache : public testing::Test {
   // One run of a program: makes a pipeline, ends. Returns what the driver was given at its start.
   std::vector<uint8_t> use(const std::filesystem::path& cache_file) {
     PipelineLibrary library(*device_, cache_file);
-    const auto given = cache_data;
+    auto given = cache_data;
     const auto pipeline = library.compute(shaders::gpu_system_test_comp, {});
     EXPECT_TRUE(pipeline.ok());
     return given;

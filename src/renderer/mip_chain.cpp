@@ -28,7 +28,7 @@ struct SrgbTables {
 };
 
 void halve(const uint8_t* from, Extent from_extent, uint8_t* to, Extent to_extent, bool srgb) {
-  static const SrgbTables tables;
+  static const SrgbTables kTables;
   for (uint32_t y = 0; y < to_extent.height; ++y) {
     for (uint32_t x = 0; x < to_extent.width; ++x) {
       const uint32_t x0 = std::min(2 * x, from_extent.width - 1);
@@ -42,9 +42,10 @@ void halve(const uint8_t* from, Extent from_extent, uint8_t* to, Extent to_exten
       uint8_t* out = to + 4 * (size_t{y} * to_extent.width + x);
       for (int c = 0; c < 4; ++c) {
         if (srgb && c < 3) {
-          const float light = 0.25f * (tables.decode[texels[0][c]] + tables.decode[texels[1][c]] +
-                                       tables.decode[texels[2][c]] + tables.decode[texels[3][c]]);
-          out[c] = tables.encode[static_cast<size_t>(std::sqrt(light) * kEncodeSteps + 0.5f)];
+          const float light = 0.25f * (kTables.decode[texels[0][c]] + kTables.decode[texels[1][c]] +
+                                       kTables.decode[texels[2][c]] + kTables.decode[texels[3][c]]);
+          out[c] =
+              kTables.encode[static_cast<size_t>(std::lround(std::sqrt(light) * kEncodeSteps))];
         } else {
           out[c] = static_cast<uint8_t>(
               (texels[0][c] + texels[1][c] + texels[2][c] + texels[3][c] + 2) / 4);

@@ -20,9 +20,9 @@ using glm::vec3;
 
 constexpr float kMargin = 1.05f;
 constexpr float kAspect = 4.0f / 3.0f;
-constexpr float kObjectFov_rad = 0.7f;
-constexpr float kInteriorFov_rad = 1.05f;
-constexpr float kIlluminance_lux = glm::pi<float>();
+constexpr float kObjectFovRad = 0.7f;
+constexpr float kInteriorFovRad = 1.05f;
+constexpr float kIlluminanceLux = glm::pi<float>();
 
 struct View {
   vec3 eye{0.0f};
@@ -58,7 +58,7 @@ std::string text_of(float value) {
 // The nearest eye from which all corners of the box lie within the view along `direction`.
 View view_of_box(const Bounds& box, const vec3& direction) {
   const glm::quat rotation = looking_along(direction);
-  const float tangent_y = std::tan(kObjectFov_rad * 0.5f);
+  const float tangent_y = std::tan(kObjectFovRad * 0.5f);
   const vec3 centre = (box.min + box.max) * 0.5f;
   float distance = 0.0f;
   for (int corner = 0; corner < 8; ++corner) {
@@ -119,7 +119,7 @@ View view_inside(const TriangleTree& tree, const Survey& place, const Bounds& bo
 // Straight before the opening, far enough for all of it to be in view.
 View view_through(const Bounds& box, const vec3& open_side) {
   const vec3 half = (box.max - box.min) * 0.5f;
-  const float tangent_y = std::tan(kObjectFov_rad * 0.5f);
+  const float tangent_y = std::tan(kObjectFovRad * 0.5f);
   const float width = std::abs(open_side.x) > 0.5f ? half.z : half.x;
   const float depth = std::abs(glm::dot(half, open_side));
   const float distance = depth + kMargin * std::max(half.y, width / kAspect) / tangent_y;
@@ -131,11 +131,11 @@ void add_camera(Scene& scene, const TriangleTree& tree, const Survey& place, con
   const char* where = "outside";
   Camera camera;
   camera.name = "default camera";
-  camera.vertical_fov_rad = kObjectFov_rad;
+  camera.vertical_fov_rad = kObjectFovRad;
   if (place.kind == PlaceKind::interior) {
     where = "inside";
     view = view_inside(tree, place, box);
-    camera.vertical_fov_rad = kInteriorFov_rad;
+    camera.vertical_fov_rad = kInteriorFovRad;
   } else if (place.kind == PlaceKind::open_box) {
     where = "before the open side";
     view = view_through(box, place.open_side);
@@ -236,7 +236,7 @@ void add_lamp(Scene& scene, const TriangleTree& tree, const Survey& place, const
   }
   Light light;
   light.name = "default lamp";
-  light.intensity = kIlluminance_lux * best.height * best.height;  // E = I / d² on the floor
+  light.intensity = kIlluminanceLux * best.height * best.height;  // E = I / d² on the floor
   light.node = add_node(scene, "default lamp", best.position, vec3(0.0f, -1.0f, 0.0f));
   scene.lights.push_back(light);
   scene.warnings.push_back("no light in the file: a lamp of " + text_of(light.intensity) +
@@ -251,12 +251,12 @@ void add_light(Scene& scene, const TriangleTree& tree, const Survey& place, cons
     back = glm::length(back) > 0.0f ? glm::normalize(back) : vec3(0.0f, 0.0f, 1.0f);
     const vec3 left(-back.z, 0.0f, back.x);
     add_sun(scene, box, glm::normalize(left * 0.5f + vec3(0.0f, 1.0f, 0.0f) + back * 0.6f),
-            kIlluminance_lux);
+            kIlluminanceLux);
     return;
   }
   const std::optional<vec3> to_sun = way_in_for_the_sun(tree, place);
   if (place.kind == PlaceKind::interior && to_sun)
-    add_sun(scene, box, *to_sun, kIlluminance_lux / to_sun->y);  // E = I cos on the floor
+    add_sun(scene, box, *to_sun, kIlluminanceLux / to_sun->y);  // E = I cos on the floor
   else
     add_lamp(scene, tree, place, box);
 }

@@ -2,7 +2,7 @@
 #include "scene/gltf_export.h"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
+#include <cstdlib>
 
 #include <algorithm>
 #include <cstring>

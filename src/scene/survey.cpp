@@ -14,22 +14,22 @@ namespace {
 
 using glm::vec3;
 
-constexpr float kRoomMinSize_m = 2.0f;     // what is smaller is not a room
-constexpr float kRoomMaxHeight_m = 60.0f;  // what is higher is not in metres
-constexpr float kEyeHeight_m = 1.6f;
+constexpr float kRoomMinSizeM = 2.0f;     // what is smaller is not a room
+constexpr float kRoomMaxHeightM = 60.0f;  // what is higher is not in metres
+constexpr float kEyeHeightM = 1.6f;
 constexpr float kEyeHeightShare = 0.35f;  // of the height, where metres say nothing
 
 float eye_height(const Bounds& box) {
   const float height = box.max.y - box.min.y;
-  const bool in_metres = height >= kRoomMinSize_m && height <= kRoomMaxHeight_m;
-  return in_metres ? std::min(kEyeHeight_m, kEyeHeightShare * height) : kEyeHeightShare * height;
+  const bool in_metres = height >= kRoomMinSizeM && height <= kRoomMaxHeightM;
+  return in_metres ? std::min(kEyeHeightM, kEyeHeightShare * height) : kEyeHeightShare * height;
 }
 
 // Whether what was hit is a wall seen from inside: its front, or, in something as large as a room,
 // a sheet without a back.
 bool faces_inwards(const std::optional<TriangleTree::Hit>& hit, const Bounds& box) {
   const vec3 size = box.max - box.min;
-  const bool room_sized = std::min({size.x, size.y, size.z}) >= kRoomMinSize_m;
+  const bool room_sized = std::min({size.x, size.y, size.z}) >= kRoomMinSizeM;
   return hit && (hit->front || (hit->double_sided && room_sized));
 }
 

@@ -4,9 +4,7 @@
 namespace lueur {
 
 Screen screen_of_view(const View& view, Extent extent) {
-  const auto at = [&](int row, int column) {
-    return view.clip_from_view[static_cast<size_t>(4 * column + row)];
-  };
+  const auto at = [&](size_t row, size_t column) { return view.clip_from_view[4 * column + row]; };
   Screen screen{};
   // ndc = p00 * x/z - p02 and p = (ndc + 1) / 2 * W, solved for the ray x/z; y likewise.
   screen.ray_scale = vec2(2.0f / (static_cast<float>(extent.width) * at(0, 0)),

@@ -49,11 +49,11 @@ AtriumMaterials add_materials(Scene& scene) {
   scene.materials[m.plaster].base_color_texture = scene.materials[m.limestone].base_color_texture;
   m.cloth[0] = patterned("red cloth", 0.95f, 256, 0.5f, cloth_pattern());
   scene.materials[m.cloth[0]].base_color = {0.72f, 0.035f, 0.03f, 1.0f};
-  const glm::vec3 kOtherCloths[2] = {{0.06f, 0.42f, 0.07f}, {0.035f, 0.10f, 0.58f}};
+  const glm::vec3 other_cloths[2] = {{0.06f, 0.42f, 0.07f}, {0.035f, 0.10f, 0.58f}};
   for (int k = 0; k < 2; ++k) {
     Material cloth = scene.materials[m.cloth[0]];
     cloth.name = k == 0 ? "green cloth" : "blue cloth";
-    cloth.base_color = glm::vec4(kOtherCloths[k], 1.0f);
+    cloth.base_color = glm::vec4(other_cloths[k], 1.0f);
     m.cloth[k + 1] = int32_t(scene.materials.size());
     scene.materials.push_back(cloth);
   }
