@@ -5,7 +5,8 @@
 
 #include "renderer/params.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+// Rows, as texel fetches like them; see prepare.comp of the hierarchical technique.
+layout(local_size_x = 64, local_size_y = 1) in;
 layout(set = 0, binding = 0, rgba16f) uniform readonly image2D source;
 layout(set = 0, binding = 1, rgba16f) uniform readonly image2D albedo;
 layout(set = 0, binding = 2, rgba16f) uniform readonly image2D specular;

@@ -6,7 +6,8 @@
 #include "shading/packing.h"
 #include "renderer/params.h"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+// Rows, as texel fetches like them; see prepare.comp of the hierarchical technique.
+layout(local_size_x = 64, local_size_y = 1) in;
 layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D normal;
 layout(set = 0, binding = 2) uniform sampler2D base_color;

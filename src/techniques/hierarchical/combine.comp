@@ -5,6 +5,7 @@
 
 #include "techniques/hierarchical/upsample.glsl"
 
+layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 2, rgba32f) uniform readonly image2D fine_geometry;
 layout(set = 0, binding = 3, rgba16f) uniform readonly image2D own;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D combined;

@@ -9,7 +9,6 @@
 
 // Fine pixels a side of one coarse pixel.
 layout(constant_id = 0) const int factor = 2;
-layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, rgba32f) uniform readonly image2D geometry;  // coarse
 layout(set = 0, binding = 1, rgba16f) uniform readonly image2D light;     // coarse
 
