@@ -20,12 +20,16 @@ LUEUR_SHARED float ring_area_px(uint level, float radius_px) {
 }
 
 // Samples lie on a spiral with the golden angle between neighbours and equal areas between their
-// radii: sample i of n at radius² = mix(inner², outer², (i + shift) / n), shift in [0, 1).
+// radii: sample i of n at radius² = inner² + (i + shift) * step, step = (outer² - inner²) / n,
+// shift in [0, 1).
 const float kGoldenAngle = 2.39996322972865f;
 
-LUEUR_SHARED float sample_radius_px(float inner_px, float outer_px, uint i, uint n, float shift) {
-  const float t = (float(i) + shift) / float(n);
-  return sqrt(mix(inner_px * inner_px, outer_px * outer_px, t));
+LUEUR_SHARED float sample_step_px2(float inner_px, float outer_px, uint n) {
+  return (outer_px * outer_px - inner_px * inner_px) / float(n);
+}
+
+LUEUR_SHARED float sample_radius_px(float inner_px, float step_px2, float i_plus_shift) {
+  return sqrt(inner_px * inner_px + i_plus_shift * step_px2);
 }
 
 // Pixels differ in where their spiral starts, with a period of 3 x 3: nine pixels together hold

@@ -140,9 +140,10 @@ TEST(Rings, SamplesAreInTheirRingWithEqualAreas) {
   constexpr uint kSamples = 64;
   for (uint level = 0; level < 3; ++level) {
     const float inner = ring_inner_px(level, 20), outer = 20;
+    const float step = sample_step_px2(inner, outer, kSamples);
     for (uint i = 0; i < kSamples; ++i) {
-      const float lo = sample_radius_px(inner, outer, i, kSamples, 0.0f);
-      const float hi = sample_radius_px(inner, outer, i + 1, kSamples, 0.0f);
+      const float lo = sample_radius_px(inner, step, static_cast<float>(i));
+      const float hi = sample_radius_px(inner, step, static_cast<float>(i + 1));
       EXPECT_GE(lo, inner);
       EXPECT_LE(hi, outer * 1.0001f);
       EXPECT_NEAR(kPi * (hi * hi - lo * lo), ring_area_px(level, 20) / kSamples, 1e-2);

@@ -43,10 +43,9 @@ void main() {
   vec2 direction = vec2(cos(turn), sin(turn));
   const mat2 golden_turn = mat2(cos(kGoldenAngle), sin(kGoldenAngle),
                                 -sin(kGoldenAngle), cos(kGoldenAngle));
-  const float inner2 = p.inner_px * p.inner_px;
-  const float step2 = (p.outer_px * p.outer_px - inner2) / float(p.samples);
+  const float step_px2 = sample_step_px2(p.inner_px, p.outer_px, p.samples);
   for (uint i = 0; i < p.samples; ++i) {
-    const float radius_px = sqrt(inner2 + step2 * (float(i) + start.x));
+    const float radius_px = sample_radius_px(p.inner_px, step_px2, float(i) + start.x);
     const vec2 offset = floor(direction * radius_px + 0.5);
     const vec2 ray_offset = offset * p.screen.ray_scale;
     direction = golden_turn * direction;

@@ -122,8 +122,8 @@ std::vector<Level> Pass::build_pyramid() {
   return levels;
 }
 
-// A CPU wants much work in each thread (8 pixels take 0.77 times as long as 4 take in two threads),
-// but still several workgroups to share out.
+// A CPU wants much work in each thread (8 pixels took 0.90 of the time of 4), but still several
+// workgroups to share out.
 uint32_t Pass::gather_pixels_per_thread(Extent level) const {
   constexpr uint32_t kRowsWorthIt = 16;
   return frame.runs_on_cpu() && level.height >= kRowsWorthIt ? 8 : 1;
