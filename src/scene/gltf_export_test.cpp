@@ -2,9 +2,9 @@
 #include "scene/gltf_export.h"
 
 #include <gtest/gtest.h>
-#include <cstdlib>
 
 #include <algorithm>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -283,6 +283,42 @@ TEST_F(HierarchicalTest, StartLevelsAgree) {
   EXPECT_LT(relative_rmse(diffuse(g, s), full), 0.01);
 }
 
+// A half-pixel mistake between levels moves light by a pixel or makes it jagged by as much. What
+// half start adds to the error must be far less than what moving the whole picture by a pixel does.
+TEST_F(HierarchicalTest, CoarserStartsKeepLightInItsPlace) {
+  constexpr int kWidth = 160, kHeight = 120, kMargin = 8;
+  const CpuGBuffer g = cast_g_buffer(corner_room, {kWidth, kHeight}, 1.2, {0.5, 0.2, 0.5});
+  Settings s = exhaustive();
+  const auto full = diffuse(g, s);
+  s.start = Settings::Start::half;
+  const auto half = diffuse(g, s);
+
+  // Only where nothing but one plane is near: at edges a coarser start blurs, as it should.
+  const auto at = [&](int x, int y) { return static_cast<size_t>(y * kWidth + x); };
+  const auto is_flat = [&](int x, int y) {
+    for (int dy = -kMargin; dy <= kMargin; ++dy)
+      for (int dx = -kMargin; dx <= kMargin; ++dx)
+        if (glm::dot(g.normal[at(x, y)], g.normal[at(x + dx, y + dy)]) < 0.999f) return false;
+    return true;
+  };
+  double coarse = 0, moved = 0;
+  for (int y = kMargin; y < kHeight - kMargin; ++y) {
+    for (int x = kMargin; x < kWidth - kMargin; ++x) {
+      if (!is_flat(x, y)) continue;
+      // Curvature apart: what is common to a pixel and its neighbours is no displacement.
+      const auto roughness = [&](const std::vector<glm::dvec3>& light) {
+        return light[at(x, y)] - 0.5 * (light[at(x - 1, y)] + light[at(x + 1, y)]);
+      };
+      const glm::dvec3 jag = roughness(half) - roughness(full);
+      const glm::dvec3 step = 0.5 * (full[at(x + 1, y)] - full[at(x - 1, y)]);
+      coarse += glm::dot(jag, jag);
+      moved += glm::dot(step, step);
+    }
+  }
+  EXPECT_GT(moved, 0);
+  EXPECT_LT(std::sqrt(coarse / moved), 0.25);
+}
+
 TEST_F(HierarchicalTest, SameSeedSameBits) {
   const CpuGBuffer g = cast_g_buffer(corner_room, {101, 67}, 1.2, {0.5, 0.2, 0.5});
   const auto first = diffuse(g, {}, 7);
