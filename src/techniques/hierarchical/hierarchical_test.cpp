@@ -294,7 +294,7 @@ TEST_F(HierarchicalTest, CoarserStartsKeepLightInItsPlace) {
   const auto half = diffuse(g, s);
 
   // Only where nothing but one plane is near: at edges a coarser start blurs, as it should.
-  const auto at = [&](int x, int y) { return static_cast<size_t>(y * kWidth + x); };
+  const auto at = [&](int x, int y) { return size_t(y) * size_t(kWidth) + size_t(x); };
   const auto is_flat = [&](int x, int y) {
     for (int dy = -kMargin; dy <= kMargin; ++dy)
       for (int dx = -kMargin; dx <= kMargin; ++dx)
