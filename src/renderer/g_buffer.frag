@@ -42,7 +42,7 @@ void main() {
   const vec4 mr = texture(metallic_roughness_texture, uv);
   base_color = vec4(color.rgb, 1.0);
   normal = octahedral_encode(n);
-  material = vec4(m.metallic * mr.b, m.roughness * mr.g, 0.0, 0.0);
+  material = vec4(m.metallic * mr.b, m.roughness * mr.g, m.specular, 0.0);
   emission = vec4(min(m.emission * texture(emission_texture, uv).rgb, vec3(65504.0)), 1.0);
   motion = 0.5 * (clip_now.xy / clip_now.w - clip_before.xy / clip_before.w);
 }

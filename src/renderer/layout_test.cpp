@@ -21,8 +21,8 @@ TEST(RendererLayout, GeometryPasses) {
         *code, "materials", sizeof(MaterialData),
         {LUEUR_MEMBER(MaterialData, base_color), LUEUR_MEMBER(MaterialData, emission),
          LUEUR_MEMBER(MaterialData, metallic), LUEUR_MEMBER(MaterialData, roughness),
-         LUEUR_MEMBER(MaterialData, normal_scale), LUEUR_MEMBER(MaterialData, alpha_cutoff),
-         LUEUR_MEMBER(MaterialData, has_normal_map)});
+         LUEUR_MEMBER(MaterialData, specular), LUEUR_MEMBER(MaterialData, normal_scale),
+         LUEUR_MEMBER(MaterialData, alpha_cutoff), LUEUR_MEMBER(MaterialData, has_normal_map)});
     expect_layout(*code, "push", sizeof(DrawParams), {LUEUR_MEMBER(DrawParams, material)});
   }
   expect_layout(shaders::renderer_g_buffer_vert, "params", sizeof(GBufferParams),
@@ -42,8 +42,7 @@ TEST(RendererLayout, LightPasses) {
          LUEUR_MEMBER(LightParams, direction_world), LUEUR_MEMBER(LightParams, intensity),
          LUEUR_MEMBER(LightParams, extent), LUEUR_MEMBER(LightParams, kind),
          LUEUR_MEMBER(LightParams, cone_scale), LUEUR_MEMBER(LightParams, cone_offset),
-         LUEUR_MEMBER(LightParams, shadow_near_m), LUEUR_MEMBER(LightParams, texel_m),
-         LUEUR_MEMBER(LightParams, first)});
+         LUEUR_MEMBER(LightParams, shadow_near_m), LUEUR_MEMBER(LightParams, texel_m)});
 }
 
 TEST(RendererLayout, SurfaceAndComposition) {

@@ -4,6 +4,7 @@
 // vec3 to_light, float distance_m)`.
 #include "shading/brdf.h"
 #include "shading/packing.h"
+#include "shading/punctual_light.h"
 #include "renderer/params.h"
 
 // Rows, as texel fetches like them; see prepare.comp of the hierarchical technique.
@@ -45,29 +46,27 @@ void main() {
   vec3 irradiance = p.intensity;
   if (p.kind != kLightDirectional) {
     to_light = p.position_world - position;
-    distance_m = max(length(to_light), 1e-3);
+    distance_m = max(length(to_light), kLeastLightDistance);
     to_light /= distance_m;
     irradiance /= distance_m * distance_m;
   }
-  if (p.kind == kLightSpot) {
-    const float cone =
-        clamp(dot(-to_light, p.direction_world) * p.cone_scale + p.cone_offset, 0.0, 1.0);
-    irradiance *= cone * cone;
-  }
+  if (p.kind == kLightSpot)
+    irradiance *=
+        cone_attenuation(dot(-to_light, p.direction_world), p.cone_scale, p.cone_offset);
   const float cos_light = dot(n, to_light);
   if (cos_light <= 0.0 || all(equal(irradiance, vec3(0.0)))) return;
   irradiance *= cos_light * shadow(position, n, to_light, distance_m);
 
   const vec3 color = texelFetch(base_color, pixel, 0).rgb;
-  const vec2 mr = texelFetch(material, pixel, 0).rg;
+  const vec3 mrs = texelFetch(material, pixel, 0).rgb;
   vec4 diffuse_sum = imageLoad(source, pixel);
-  diffuse_sum.rgb += diffuse_albedo(color, mr.r) * irradiance / kPi;
+  diffuse_sum.rgb += diffuse_albedo(color, mrs.r) * irradiance / kPi;
   imageStore(source, pixel, min(diffuse_sum, vec4(65504.0)));
 
   const vec3 to_eye = normalize(p.world_from_view[3].xyz - position);
   const float cos_view = max(dot(n, to_eye), 1e-3);
   const vec3 half_way = normalize(to_light + to_eye);
-  const vec3 brdf = ggx_brdf(specular_f0(color, mr.r), mr.g, cos_light, cos_view,
+  const vec3 brdf = ggx_brdf(specular_f0(color, mrs.r, mrs.b), mrs.g, cos_light, cos_view,
                              clamp(dot(n, half_way), 0.0, 1.0),
                              clamp(dot(to_light, half_way), 0.0, 1.0));
   vec4 specular_sum = imageLoad(specular, pixel);

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "scene/placed_light.h"
+
 namespace lueur {
 namespace {
 
@@ -15,7 +17,6 @@ constexpr float kShadowNearM = 0.02f;
 // A flat map spends its texels badly on a wider cone than this (half angle): 4 times as many on its
 // middle as on its edge. Such a spot gets a cube.
 constexpr float kWidestFlatSpotRad = 1.0f;
-constexpr float kNarrowestConeRad = 0.01f;
 
 glm::vec3 any_perpendicular(const glm::vec3& v) {
   const glm::vec3 axis = std::abs(v.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
@@ -56,9 +57,9 @@ glm::mat4 directional_view(const glm::vec3& forward, const Bounds& box, float& t
   return glm::transpose(rows);
 }
 
-void look_into_cone(LightView& view, const Light& light) {
+void look_into_cone(LightView& view, float outer_cone_rad) {
   LightParams& p = view.params;
-  const float half_width = std::tan(std::max(light.outer_cone_rad, kNarrowestConeRad) * 1.02f);
+  const float half_width = std::tan(outer_cone_rad * 1.02f);
   view.shadow_side_px = kSpotSidePx;
   p.texel_m = 2.0f * half_width / static_cast<float>(kSpotSidePx);
   const glm::vec3 right = any_perpendicular(p.direction_world);
@@ -80,24 +81,18 @@ void look_all_around(LightView& view) {
         perspective_view(p.position_world, face[0], face[1], face[2], 1.0f, kShadowNearM));
 }
 
-// KHR_lights_punctual's angular attenuation, as one multiplication and one addition.
-void set_cone(LightParams& p, const Light& light) {
-  const float outer = std::clamp(light.outer_cone_rad, kNarrowestConeRad, 1.5707f);
-  const float inner = std::clamp(light.inner_cone_rad, 0.0f, outer - 1e-3f);
-  p.cone_scale = 1.0f / std::max(1e-3f, std::cos(inner) - std::cos(outer));
-  p.cone_offset = -std::cos(outer) * p.cone_scale;
-}
-
 }  // namespace
 
 LightView view_of_light(const Light& light, const glm::mat4& world_from_node,
                         const Bounds& scene_bounds) {
   LightView view;
   LightParams& p = view.params;
-  p.position_world = glm::vec3(world_from_node[3]);
-  const glm::vec3 axis = -glm::vec3(world_from_node[2]);
-  p.direction_world = glm::length(axis) > 0.0f ? glm::normalize(axis) : glm::vec3(0, -1, 0);
-  p.intensity = light.color * light.intensity;
+  const PlacedLight placed = place(light, world_from_node);
+  p.position_world = placed.position_world;
+  p.direction_world = placed.direction_world;
+  p.intensity = placed.intensity;
+  p.cone_scale = placed.cone_scale;
+  p.cone_offset = placed.cone_offset;
   p.shadow_near_m = kShadowNearM;
   switch (light.kind) {
     case LightKind::directional:
@@ -107,9 +102,8 @@ LightView view_of_light(const Light& light, const glm::mat4& world_from_node,
       break;
     case LightKind::spot:
       p.kind = kLightSpot;
-      set_cone(p, light);
-      if (light.outer_cone_rad <= kWidestFlatSpotRad)
-        look_into_cone(view, light);
+      if (placed.outer_cone_rad <= kWidestFlatSpotRad)
+        look_into_cone(view, placed.outer_cone_rad);
       else
         look_all_around(view);
       break;

@@ -12,7 +12,7 @@ namespace lueur {
 
 // One light of one frame.
 struct LightView {
-  LightParams params{};  // without screen, world_from_view, extent and first
+  LightParams params{};  // without screen, world_from_view and extent
   uint32_t shadow_side_px = 0;
   std::vector<glm::mat4> clip_from_world;  // one, or six faces in the order of a Vulkan cube map
 };

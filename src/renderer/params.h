@@ -19,6 +19,7 @@ struct MaterialData {
   vec3 emission;
   float metallic;
   float roughness;
+  float specular;  // share of a dielectric's 0.04
   float normal_scale;
   float alpha_cutoff;  // 0: opaque
   uint has_normal_map;
@@ -50,13 +51,12 @@ struct LightParams {
   vec3 intensity;        // cd or lux, times colour
   ivec2 extent;
   uint kind;
-  float cone_scale;     // KHR_lights_punctual: angular attenuation =
-  float cone_offset;    //   clamp(cos * scale + offset, 0, 1)^2
+  float cone_scale;  // of cone_attenuation()
+  float cone_offset;
   float shadow_near_m;  // near plane of the point light's faces
   // Side of a shadow texel at distance 1 from the light; of a directional light, everywhere.
   // Metres.
   float texel_m;
-  uint first;  // 1: start from emission; 0: add to what is there
 };
 
 struct ComposeParams {

@@ -27,12 +27,7 @@ ivec2 as_ivec2(Extent e) {
 }
 
 View view_of_camera(const Camera& camera, const glm::mat4& world_from_node, Extent extent) {
-  // A camera does not scale: keep the node's axes' directions and its place.
-  glm::mat4 world_from_view(1.0f);
-  for (int axis = 0; axis < 3; ++axis)
-    world_from_view[axis] = glm::vec4(glm::normalize(glm::vec3(world_from_node[axis])), 0.0f);
-  world_from_view[3] = world_from_node[3];
-  const glm::mat4 view_from_world = glm::inverse(world_from_view);
+  const glm::mat4 view_from_world = glm::inverse(world_from_camera(world_from_node));
 
   // Reversed z, no far plane, y down in clip space.
   const float f = 1.0f / std::tan(0.5f * camera.vertical_fov_rad);
@@ -214,6 +209,10 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::System& system, Context&
   LUEUR_TRY(on_device, SceneOnDevice::create(system, context, scene));
   state->on_device = std::move(on_device);
   state->scene = scene;
+  for (const Material& material : scene.materials)
+    if (material.phong)
+      state->warnings.push_back("material '" + material.name +
+                                "': its Phong lobe is left out of direct light");
   for (Texture& texture : state->scene.textures) texture.rgba.clear();
   return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
 }

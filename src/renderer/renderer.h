@@ -29,7 +29,7 @@ struct RenderedImages {
   Image depth;     // d32f, reversed z, infinitely far plane, 0 where nothing is
   Image normal;    // rg16_snorm, octahedral, world space
   Image albedo;    // rgba16f: diffuse albedo, base colour * (1 - metallic)
-  Image material;  // rgba8: r metallic, g perceptual roughness
+  Image material;  // rgba8: r metallic, g perceptual roughness, b share of dielectric F0
   Image emission;  // rgba16f: emitted radiance
   Image motion;    // rg16f: UV now minus UV in the previous frame
   Image source;    // rgba16f: diffuse direct radiance + emission; what the technique gets

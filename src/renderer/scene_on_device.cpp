@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "base/try.h"
-#include "renderer/mip_chain.h"
+#include "image/mip_chain.h"
 #include "renderer/upload.h"
 
 namespace lueur {
@@ -34,9 +34,14 @@ std::vector<bool> used_textures(const Scene& scene, Encoding encoding) {
 Result<gpu::Texture> upload_texture(Uploader& uploader, gpu::Device& device,
                                     const std::string& name, Extent extent,
                                     const std::vector<uint8_t>& rgba, Encoding encoding) {
-  const MipChain chain = make_mip_chain(rgba, extent, encoding == Encoding::srgb);
+  const auto smaller =
+      make_mip_chain(rgba, extent.width, extent.height, encoding == Encoding::srgb);
   std::vector<std::span<const uint8_t>> levels{rgba};
-  levels.insert(levels.end(), chain.levels.begin(), chain.levels.end());
+  std::vector<Extent> extents{extent};
+  for (const MipLevel& level : smaller) {
+    levels.emplace_back(level.rgba);
+    extents.push_back({level.width, level.height});
+  }
   LUEUR_TRY(texture,
             gpu::Texture::create(
                 device, {.name = name,
@@ -44,7 +49,7 @@ Result<gpu::Texture> upload_texture(Uploader& uploader, gpu::Device& device,
                          .format = encoding == Encoding::srgb ? Format::rgba8_srgb : Format::rgba8,
                          .usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT,
                          .mip_levels = static_cast<uint32_t>(levels.size())}));
-  LUEUR_TRY_VOID(uploader.to_texture(levels, chain.extents, texture));
+  LUEUR_TRY_VOID(uploader.to_texture(levels, extents, texture));
   return std::move(texture);
 }
 
@@ -154,6 +159,7 @@ void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
     data.emission = m.emission;
     data.metallic = m.metallic;
     data.roughness = m.roughness;
+    data.specular = m.phong ? 0.0f : m.specular;
     data.normal_scale = m.normal_scale;
     data.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f;
     data.has_normal_map = m.normal_texture != kNone;

@@ -168,6 +168,7 @@ class GlbWriter {
         material["normalTexture"]["scale"] = m.normal_scale;
       set_texture(material, "emissiveTexture", m.emission_texture);
       set_emission(material, m.emission);
+      set_specular(material, m.specular);
       if (m.alpha_mode == AlphaMode::mask) {
         material["alphaMode"] = "MASK";
         material["alphaCutoff"] = m.alpha_cutoff;
@@ -190,6 +191,12 @@ class GlbWriter {
     if (strength <= 1.0f) return;
     material["extensions"]["KHR_materials_emissive_strength"] = {{"emissiveStrength", strength}};
     use_extension("KHR_materials_emissive_strength");
+  }
+
+  void set_specular(Json& material, float specular) {
+    if (specular == 1.0f) return;
+    material["extensions"]["KHR_materials_specular"] = {{"specularFactor", specular}};
+    use_extension("KHR_materials_specular");
   }
 
   void add_meshes() {

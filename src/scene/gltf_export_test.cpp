@@ -145,6 +145,7 @@ TEST_P(Exported, ComesBackThroughTheLoader) {
     EXPECT_EQ(got.base_color, want.base_color);
     EXPECT_EQ(got.roughness, want.roughness);
     EXPECT_EQ(got.metallic, want.metallic);
+    EXPECT_EQ(got.specular, want.specular);
     for (int c = 0; c < 3; ++c)
       EXPECT_NEAR(got.emission[c], want.emission[c], 1e-5f * want.emission[c]);
     ASSERT_EQ(got.base_color_texture != kNone, want.base_color_texture != kNone);

@@ -22,7 +22,8 @@ constexpr size_t kChunkHeaderBytes = 8;
 // Extensions that a file may call required. KHR_texture_transform is drawn without, with a warning.
 constexpr std::array kAcceptedExtensions{
     std::string_view("KHR_lights_punctual"), std::string_view("KHR_materials_emissive_strength"),
-    std::string_view("KHR_mesh_quantization"), std::string_view("KHR_texture_transform")};
+    std::string_view("KHR_materials_specular"), std::string_view("KHR_mesh_quantization"),
+    std::string_view("KHR_texture_transform")};
 
 struct Remedy {
   std::string_view extension;

@@ -22,8 +22,8 @@ namespace {
 // Extensions that are read, or whose own reader warns about them.
 constexpr std::array kHandledExtensions{
     std::string_view("KHR_lights_punctual"), std::string_view("KHR_materials_emissive_strength"),
-    std::string_view("KHR_mesh_quantization"), std::string_view("KHR_texture_transform"),
-    std::string_view("EXT_mesh_gpu_instancing")};
+    std::string_view("KHR_materials_specular"), std::string_view("KHR_mesh_quantization"),
+    std::string_view("KHR_texture_transform"), std::string_view("EXT_mesh_gpu_instancing")};
 
 Result<void> warn_of_extensions(const GltfFile& file, Warnings& warnings) {
   const JsonCursor top = file.root();

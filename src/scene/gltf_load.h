@@ -4,7 +4,8 @@
 //
 // Read: the default scene's nodes, triangles (lists, strips, fans), metallic-roughness materials,
 // PNG and JPEG textures, perspective cameras, and the first animation's node channels.
-// Extensions: KHR_lights_punctual, KHR_materials_emissive_strength, KHR_mesh_quantization.
+// Extensions: KHR_lights_punctual, KHR_materials_emissive_strength, KHR_materials_specular (its
+// factor alone), KHR_mesh_quantization.
 // Missing normals are made flat, missing tangents from the texture coordinates. A mesh used by
 // several nodes is stored once. Node transforms stay on the nodes, mirroring ones included.
 //

@@ -153,7 +153,8 @@ TEST_F(GltfTest, MaterialsCamerasAndLights) {
 "extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":7,"color":[1,0.5,0],
 "spot":{"innerConeAngle":0.1,"outerConeAngle":0.2}}]}},
 "materials":[{"emissiveFactor":[1,0.5,0],"doubleSided":true,"alphaMode":"BLEND",
-"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":8}},
+"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":8},
+"KHR_materials_specular":{"specularFactor":0.25}},
 "pbrMetallicRoughness":{"baseColorFactor":[0.1,0.2,0.3,0.4],"metallicFactor":0,
 "roughnessFactor":0.5}}],"buffers":)"));
   ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -162,6 +163,7 @@ TEST_F(GltfTest, MaterialsCamerasAndLights) {
   EXPECT_EQ(material.emission, glm::vec3(8, 4, 0));
   EXPECT_EQ(material.metallic, 0.0f);
   EXPECT_EQ(material.roughness, 0.5f);
+  EXPECT_EQ(material.specular, 0.25f);
   EXPECT_TRUE(material.double_sided);
   EXPECT_EQ(material.alpha_mode, AlphaMode::mask);
   EXPECT_EQ(scene->warnings.size(), 1u);  // blending

@@ -60,10 +60,17 @@ Result<Material> GltfMaterials::read(const JsonCursor& at) {
   material.metallic = metallic;
   material.roughness = roughness;
 
+  LUEUR_TRY(extensions, at.object("extensions"));
+  LUEUR_TRY(specular_at, extensions.object("KHR_materials_specular"));
+  LUEUR_TRY(specular, unit_number(specular_at, "specularFactor", 1.0f));
+  material.specular = specular;
+  for (const char* left_out : {"specularTexture", "specularColorFactor", "specularColorTexture"})
+    if (specular_at.has(left_out))
+      warnings_->add("KHR_materials_specular: only its specularFactor is used");
+
   // Emission is a factor times a strength; older files put all of it into the factor.
   std::array<float, 3> emission{};
   LUEUR_TRY_VOID(at.numbers("emissiveFactor", emission));
-  LUEUR_TRY(extensions, at.object("extensions"));
   LUEUR_TRY(strength_at, extensions.object("KHR_materials_emissive_strength"));
   LUEUR_TRY(strength, strength_at.number("emissiveStrength", 1.0f));
   constexpr float kMaxRadiance = 1e9f;  // the sun's disc

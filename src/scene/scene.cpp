@@ -67,6 +67,14 @@ void grow(Bounds& box, const glm::vec3& point) {
 
 }  // namespace
 
+glm::mat4 world_from_camera(const glm::mat4& world_from_node) {
+  glm::mat4 world_from_view(1.0f);
+  for (int axis = 0; axis < 3; ++axis)
+    world_from_view[axis] = glm::vec4(glm::normalize(glm::vec3(world_from_node[axis])), 0.0f);
+  world_from_view[3] = world_from_node[3];
+  return world_from_view;
+}
+
 std::vector<glm::mat4> pose(const Scene& scene, float time_s) {
   std::vector<glm::mat4> world_from_node(scene.nodes.size());
   const auto place = [&](size_t i, const Node& node) {

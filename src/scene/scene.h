@@ -30,18 +30,32 @@ struct Texture {
 
 enum class AlphaMode : uint8_t { opaque, mask };
 
+// A cosine lobe, normalised so that `color` is what it reflects of light along its own axis. The
+// light's direction is mirrored by the coefficients in the surface's frame (z is the normal):
+//   f = color (n + 2) / (2 pi m^n) max(c_xy (l_x v_x + l_y v_y) + c_z l_z v_z, 0)^n,
+//   m = max(|c_xy|, |c_z|).
+// Coefficients -1 and 1 are Phong's lobe, others the isotropic ones of Lafortune et al. 1997.
+struct PhongLobe {
+  glm::vec3 color{0.0f};
+  float exponent = 1.0f;  // n
+  float c_xy = -1.0f;
+  float c_z = 1.0f;
+};
+
 // glTF's metallic-roughness model.
 struct Material {
   std::string name;
   glm::vec4 base_color{1.0f};  // linear Rec.709 albedo and alpha, multiplies the texture
   float metallic = 1.0f;       // multiplies the texture's blue channel
   float roughness = 1.0f;      // perceptual; alpha = roughness²; multiplies green
+  float specular = 1.0f;       // share of a dielectric's 0.04: 0 is purely diffuse
   glm::vec3 emission{0.0f};    // radiance in cd/m², emissive strength included
   float normal_scale = 1.0f;
   int32_t base_color_texture = kNone;          // sRGB
   int32_t metallic_roughness_texture = kNone;  // linear
   int32_t normal_texture = kNone;              // linear, tangent space, +y up
   int32_t emission_texture = kNone;            // sRGB
+  std::optional<PhongLobe> phong;              // takes the place of the specular GGX lobe
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
@@ -129,6 +143,10 @@ struct Scene {
   std::optional<float> exposure_ev;   // stops the scene's author wants; none: the program decides
   std::vector<std::string> warnings;  // one line each: what the file had that was left out or added
 };
+
+// The rigid transform of a camera on a node: where it stands and how it is turned. Scale is left
+// out, as a camera does not scale.
+glm::mat4 world_from_camera(const glm::mat4& world_from_node);
 
 // World matrices of all nodes at `time_s`; animation loops over its longest channel.
 std::vector<glm::mat4> pose(const Scene& scene, float time_s);

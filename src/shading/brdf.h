@@ -17,8 +17,9 @@ LUEUR_SHARED vec3 diffuse_albedo(vec3 base_color, float metallic) {
   return base_color * (1.0f - metallic);
 }
 
-LUEUR_SHARED vec3 specular_f0(vec3 base_color, float metallic) {
-  return mix(vec3(0.04f), base_color, metallic);
+// `specular` is the share of a dielectric's reflectance that is there: KHR_materials_specular.
+LUEUR_SHARED vec3 specular_f0(vec3 base_color, float metallic, float specular) {
+  return mix(vec3(0.04f * specular), base_color, metallic);
 }
 
 LUEUR_SHARED vec3 fresnel_schlick(vec3 f0, float cos_half) {
