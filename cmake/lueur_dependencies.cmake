@@ -1,6 +1,7 @@
 # Every library and tool that the build takes from the system, each as one target:
 #
 #   Vulkan::Headers volk vma spirv_cross      the GPU side; glslc itself is the program ${GLSLC}
+#   embree xxhash                             the reference
 #   openexr PNG::PNG turbojpeg                pictures
 #   glm::glm nlohmann_json::nlohmann_json CLI11::CLI11 Threads::Threads
 #   GTest::gtest GTest::gtest_main            tests only
@@ -71,6 +72,10 @@ endif()
 add_library(vma INTERFACE)
 target_include_directories(vma SYSTEM INTERFACE ${LUEUR_VMA_FOLDER})
 target_link_libraries(vma INTERFACE volk)
+
+# Rays on the CPU, and hashes of what was rendered.
+lueur_find(embree embree libembree-dev CONFIG)
+lueur_find_module(xxhash libxxhash libxxhash-dev)
 
 # Pictures.
 lueur_find_module(openexr OpenEXR libopenexr-dev)

@@ -15,6 +15,7 @@ namespace lueur::cli {
 using Outcome = Result<int>;
 
 void add_render(CLI::App& program, Outcome& outcome);
+void add_reference(CLI::App& program, Outcome& outcome);
 void add_bench(CLI::App& program, Outcome& outcome);
 void add_scene(CLI::App& program, Outcome& outcome);
 void add_devices(CLI::App& program, Outcome& outcome);
@@ -23,6 +24,7 @@ void add_techniques(CLI::App& program, Outcome& outcome);
 // The last part of every --help.
 inline constexpr char kExitCodes[] =
     "\nExit codes: 0 done, 1 a check found something (--scan, --validate), 2 usage,\n"
-    "3 input file, 4 output file or stdout, 5 device, 6 memory, 70 a defect in lueur.";
+    "3 input file, 4 output file or stdout, 5 device, 6 memory, 70 a defect in lueur,\n"
+    "130 interrupted.";
 
 }  // namespace lueur::cli

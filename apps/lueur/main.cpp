@@ -59,6 +59,7 @@ int run(int argc, char** argv) {
 
   Outcome outcome = kExitDone;
   add_render(program, outcome);
+  add_reference(program, outcome);
   add_bench(program, outcome);
   add_scene(program, outcome);
   add_devices(program, outcome);

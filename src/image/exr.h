@@ -41,7 +41,11 @@ Result<void> write_exr(const std::filesystem::path& path, std::span<const ImageL
 // one, one with subsampled channels, and one compressed with B44 or DWA. The header is checked
 // before memory is taken for pixels. The format has checksums only in its ZIP compressions: damage
 // elsewhere may show as wrong samples, never as more. `name` stands for the file in messages.
-Result<std::vector<ImageLayer>> decode_exr(std::span<const uint8_t> bytes, const std::string& name);
-Result<std::vector<ImageLayer>> read_exr(const std::filesystem::path& path);
+// The header's string attributes go into `attributes`, where one is given.
+using ExrAttributes = std::map<std::string, std::string>;
+Result<std::vector<ImageLayer>> decode_exr(std::span<const uint8_t> bytes, const std::string& name,
+                                           ExrAttributes* attributes = nullptr);
+Result<std::vector<ImageLayer>> read_exr(const std::filesystem::path& path,
+                                         ExrAttributes* attributes = nullptr);
 
 }  // namespace lueur

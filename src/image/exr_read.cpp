@@ -4,6 +4,7 @@
 #include <ImfHeader.h>
 #include <ImfIO.h>
 #include <ImfInputFile.h>
+#include <ImfStringAttribute.h>
 
 #include <algorithm>
 #include <cstring>
@@ -105,8 +106,8 @@ std::vector<ImageLayer> read_layers(Imf::InputFile& file, const ExrHeader& heade
 
 }  // namespace
 
-Result<std::vector<ImageLayer>> decode_exr(std::span<const uint8_t> bytes,
-                                           const std::string& name) {
+Result<std::vector<ImageLayer>> decode_exr(std::span<const uint8_t> bytes, const std::string& name,
+                                           ExrAttributes* attributes) {
   LUEUR_TRY(header, check_exr_header(bytes, name));
   try {
     MemoryInput input(bytes);
@@ -116,6 +117,10 @@ Result<std::vector<ImageLayer>> decode_exr(std::span<const uint8_t> bytes,
         window.max.x != int64_t{header.min_x} + header.width - 1 ||
         window.max.y != int64_t{header.min_y} + header.height - 1)
       return bad_exr(name, "its header is read in two ways");
+    if (attributes)
+      for (auto a = file.header().begin(); a != file.header().end(); ++a)
+        if (const auto* text = dynamic_cast<const Imf::StringAttribute*>(&a.attribute()))
+          (*attributes)[a.name()] = text->value();
     return read_layers(file, header);
   } catch (const std::bad_alloc&) {
     return Error{ErrorKind::memory, name + ": memory ran out; use a smaller picture"};
@@ -124,9 +129,10 @@ Result<std::vector<ImageLayer>> decode_exr(std::span<const uint8_t> bytes,
   }
 }
 
-Result<std::vector<ImageLayer>> read_exr(const std::filesystem::path& path) {
+Result<std::vector<ImageLayer>> read_exr(const std::filesystem::path& path,
+                                         ExrAttributes* attributes) {
   LUEUR_TRY(bytes, read_file(path, kMaxFileBytes));
-  return decode_exr(bytes, path.string());
+  return decode_exr(bytes, path.string(), attributes);
 }
 
 }  // namespace lueur

@@ -86,6 +86,9 @@ TEST_F(ExrTest, ChannelsAttributesAndTypesAreAsStated) {
   ExrOptions options;
   options.attributes = {{"lueur.scene", "cornell"}, {"lueur.exposure", "-1.5"}};
   ASSERT_TRUE(write_exr(path_, layers, options).ok());
+  ExrAttributes attributes;
+  ASSERT_TRUE(read_exr(path_, &attributes).ok());
+  EXPECT_EQ(attributes, options.attributes);
 
   Imf::InputFile file(path_.c_str());
   const Imf::Header& header = file.header();

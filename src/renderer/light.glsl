@@ -66,7 +66,7 @@ void main() {
   const vec3 to_eye = normalize(p.world_from_view[3].xyz - position);
   const float cos_view = max(dot(n, to_eye), 1e-3);
   const vec3 half_way = normalize(to_light + to_eye);
-  const vec3 brdf = ggx_brdf(specular_f0(color, mrs.r, mrs.b), mrs.g, cos_light, cos_view,
+  const vec3 brdf = ggx_brdf(specular_f0(color, mrs.r, mrs.b), specular_f90(mrs.r, mrs.b), mrs.g, cos_light, cos_view,
                              clamp(dot(n, half_way), 0.0, 1.0),
                              clamp(dot(to_light, half_way), 0.0, 1.0));
   vec4 specular_sum = imageLoad(specular, pixel);

@@ -22,14 +22,19 @@ LUEUR_SHARED vec3 specular_f0(vec3 base_color, float metallic, float specular) {
   return mix(vec3(0.04f * specular), base_color, metallic);
 }
 
-LUEUR_SHARED vec3 fresnel_schlick(vec3 f0, float cos_half) {
+// At grazing angles everything mirrors, but for the share that is left out.
+LUEUR_SHARED float specular_f90(float metallic, float specular) {
+  return mix(specular, 1.0f, metallic);
+}
+
+LUEUR_SHARED vec3 fresnel_schlick(vec3 f0, float f90, float cos_half) {
   const float m = 1.0f - cos_half;
   const float m2 = m * m;
-  return f0 + (vec3(1.0f) - f0) * (m2 * m2 * m);
+  return f0 + (vec3(f90) - f0) * (m2 * m2 * m);
 }
 
 // GGX with height-correlated Smith shadowing: brdf, without the cosine. Cosines are positive.
-LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float perceptual_roughness, float cos_light, float cos_view,
+LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float f90, float perceptual_roughness, float cos_light, float cos_view,
                            float cos_normal_half, float cos_light_half) {
   const float alpha = max(perceptual_roughness * perceptual_roughness, kLeastAlpha);
   const float a2 = alpha * alpha;
@@ -37,7 +42,7 @@ LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float perceptual_roughness, float cos_light,
   const float distribution = a2 / (kPi * d * d);
   const float visibility = 0.5f / (cos_light * sqrt(cos_view * cos_view * (1.0f - a2) + a2) +
                                    cos_view * sqrt(cos_light * cos_light * (1.0f - a2) + a2));
-  return fresnel_schlick(f0, cos_light_half) * (distribution * visibility);
+  return fresnel_schlick(f0, f90, cos_light_half) * (distribution * visibility);
 }
 
 LUEUR_NAMESPACE_END

@@ -7,6 +7,10 @@
 
 LUEUR_NAMESPACE_BEGIN
 
+// What bounds foreshortening(): pixels that see their surface at less than 2.9 degrees count as if
+// it were 2.9.
+const float kMostForeshortening = 20.0f;
+
 // cos(alpha) / cos(beta) in HSSIL (2): how much larger a surface seen in a pixel is than a
 // screen-parallel one at its depth. With the pixel's ray v = (x, y, -1), cos(alpha) = 1 / |v| and
 // cos(beta) = -n.v / |v|, so the ratio is 1 / -n.v. `most` bounds it: a pixel that sees its surface

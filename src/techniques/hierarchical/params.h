@@ -7,9 +7,6 @@
 
 LUEUR_NAMESPACE_BEGIN
 
-// cos(alpha)/cos(beta) is bounded by this: pixels that see their surface at less than 2.9 degrees
-// count as if it were 2.9.
-const float kMostForeshortening = 20.0f;
 // See bilateral_weight(): 2 % of the depth.
 const float kFlatness = 0.02f;
 

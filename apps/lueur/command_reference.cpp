@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+// lueur reference: the truth that techniques are held against.
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "arguments.h"
+#include "base/try.h"
+#include "commands.h"
+#include "console.h"
+#include "reference_job.h"
+
+namespace lueur::cli {
+namespace {
+
+struct Options {
+  std::string scene;
+  std::vector<std::string> outputs;
+  std::string mode = "path";
+  std::string bounces = "1";
+  std::string spp = "256";
+  std::string error_target;
+  std::string size = "1280x720";
+  std::string camera;
+  std::string time_s = "0";
+  std::string seed = "0";
+  std::string distance_m = "1";
+  std::string form_factor = "disc";
+  std::string threads = "0";
+  std::string exposure;
+  std::string tone_map = "khronos-neutral";
+  bool resume = false;
+  bool no_cache = false;
+  bool json = false;
+};
+
+Result<reference::Mode> parse_mode(const std::string& text) {
+  std::vector<std::string> names;
+  for (const reference::ModeName& row : reference::mode_names()) {
+    if (row.name == text) return row.mode;
+    names.emplace_back(row.name);
+  }
+  return Error{ErrorKind::usage, "--mode '" + text + "': expected one of " + joined(names)};
+}
+
+Result<reference::FormFactor> parse_form_factor(const std::string& text) {
+  if (text == "disc") return reference::FormFactor::disc;
+  if (text == "point") return reference::FormFactor::point;
+  return Error{ErrorKind::usage, "--form-factor '" + text + "': expected one of disc, point"};
+}
+
+Result<reference::Settings> parse_settings(const Options& options) {
+  reference::Settings settings;
+  LUEUR_TRY(mode, parse_mode(options.mode));
+  settings.mode = mode;
+  LUEUR_TRY(bounces, parse_count("--bounces", options.bounces, 1, reference::kMaxBounces));
+  settings.bounces = bounces;
+  const uint32_t least_spp = mode == reference::Mode::screen_unoccluded ? 0 : 1;
+  LUEUR_TRY(spp, parse_count("--spp", options.spp, least_spp, reference::kMaxSpp));
+  settings.spp = spp;
+  if (!options.error_target.empty()) {
+    LUEUR_TRY(target, parse_real("--error", options.error_target, 1.0f));
+    if (!(target > 0.0f))
+      return Error{ErrorKind::usage, "--error " + options.error_target +
+                                         ": expected a share above 0, such as 0.01 for 1 %"};
+    settings.target_error = static_cast<double>(target);
+  }
+  LUEUR_TRY(seed, parse_count("--seed", options.seed, 0, UINT32_MAX));
+  settings.seed = seed;
+  LUEUR_TRY(distance_m, parse_real("--distance", options.distance_m, 1e6f));
+  if (!(distance_m > 0.0f))
+    return Error{ErrorKind::usage,
+                 "--distance " + options.distance_m + ": expected metres above 0"};
+  settings.ambient_distance_m = distance_m;
+  LUEUR_TRY(form_factor, parse_form_factor(options.form_factor));
+  settings.form_factor = form_factor;
+  return settings;
+}
+
+Result<ReferenceJob> check(const Options& options) {
+  ReferenceJob job;
+  job.scene = options.scene;
+  job.camera = options.camera;
+  job.resume = options.resume;
+  job.use_cache = !options.no_cache;
+  job.json = options.json;
+  if (options.outputs.empty())
+    return Error{ErrorKind::usage, "reference: nowhere to write; name a file with -o FILE.exr"};
+  LUEUR_TRY(size, parse_size(options.size));
+  job.shot.width = size.width;
+  job.shot.height = size.height;
+  LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
+  job.shot.time_s = time_s;
+  LUEUR_TRY(settings, parse_settings(options));
+  job.settings = settings;
+  LUEUR_TRY(threads, parse_count("--threads", options.threads, 0, 1024));
+  job.threads = threads;
+  LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
+  job.tone_map = tone_map;
+  job.meter_exposure = options.exposure == "auto";
+  if (!options.exposure.empty()) {
+    LUEUR_TRY(exposure_ev, parse_exposure(options.exposure));
+    job.exposure_ev = exposure_ev;
+  }
+  LUEUR_TRY(destinations, check_destinations(options.outputs, size));
+  job.destinations = destinations;
+  return job;
+}
+
+Outcome run(const Options& options) {
+  LUEUR_TRY(job, check(options));
+  return run_reference(job);
+}
+
+constexpr char kFooter[] =
+    "Rays go through the centres of the pixels, as the rasterizer's do. Modes:\n"
+    "  path               path tracing: all light that came off 1 to --bounces surfaces\n"
+    "  screen             one bounce, and only off surfaces that the camera sees\n"
+    "  screen-unoccluded  the sum over all pixels without visibility, HSSIL (4) or (3); --spp is\n"
+    "                     how many pixels are summed, 0 is all of them\n"
+    "  ambient            ambient occlusion within --distance metres\n"
+    "\n"
+    "EXR holds 32-bit floats: the picture, direct, indirect (E/pi before albedo),\n"
+    "indirect_specular, variance (of the mean of indirect), albedo, normal, depth, specular,\n"
+    "emission and source; of ambient, occlusion. The layers are those of `lueur render`.\n"
+    "\n"
+    "The same seed gives the same bits for any number of threads. The estimated relative error\n"
+    "is the root of the mean variance over the mean; --error ends the work when it is reached.\n"
+    "Ctrl-C writes what there is, and beside the first file FILE.resume, which is also kept up\n"
+    "to date every minute; --resume goes on from there, also to more --spp than at first, to the\n"
+    "bits that it would have had. What is finished is kept in the cache folder (XDG_CACHE_HOME,\n"
+    "else ~/.cache) under lueur/references, by the content of scene, shot and settings; it may\n"
+    "be deleted at any time.\n"
+    "\n"
+    "Examples:\n"
+    "  lueur reference cornell -o truth.exr --mode path --bounces 1 --spp 256\n"
+    "  lueur reference atrium -o truth.exr -o truth.png --error 0.01 --spp 4096\n"
+    "  lueur reference room.glb -o ao.png --mode ambient --distance 0.5\n";
+
+void add_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+  const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
+    return command->add_option(flag, value, help)->type_name(type);
+  };
+  add("--mode", options->mode, "What is computed, see below (default path)", "MODE");
+  add("--bounces", options->bounces, "Surfaces between light and receiver (default 1)", "N");
+  add("--spp", options->spp, "Samples a pixel (default 256)", "N");
+  add("--error", options->error_target, "Stop at this estimated relative error", "SHARE");
+  add("--size", options->size, "In pixels (default 1280x720)", "WxH");
+  add("--camera", options->camera, "A camera's name or number (default: first)", "NAME|N");
+  add("--time", options->time_s, "Seconds into the animation (default 0)", "SECONDS");
+  add("--seed", options->seed, "Pattern of samples (default 0)", "N");
+  add("--distance", options->distance_m, "Reach of ambient, in metres (default 1)", "M");
+  add("--form-factor", options->form_factor, "Of screen-unoccluded: disc or point", "KIND");
+  add("--threads", options->threads, "0: as many as the machine has (default)", "N");
+  add("--exposure", options->exposure, "Of a PNG: stops to add, or auto", "EV|auto");
+  add("--tone-map", options->tone_map, "Of a PNG, see `lueur render`", "CURVE");
+  command->add_flag("--resume", options->resume, "Go on from FILE.resume");
+  command->add_flag("--no-cache", options->no_cache, "Neither use nor fill the cache");
+  command->add_flag("--json", options->json, "Report as one JSON object on stdout");
+}
+
+}  // namespace
+
+void add_reference(CLI::App& program, Outcome& outcome) {
+  CLI::App* command = program.add_subcommand("reference", "Trace the true indirect light");
+  auto options = std::make_shared<Options>();
+  command->add_option("SCENE", options->scene, "A built-in scene or a glTF file")
+      ->type_name("")
+      ->required();
+  command->add_option("-o,--output", options->outputs, "Picture, .exr or .png; may be repeated")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_options(command, options);
+  command->footer(std::string(kFooter) + kExitCodes);
+  command->callback([options, &outcome] { outcome = run(*options); });
+}
+
+}  // namespace lueur::cli

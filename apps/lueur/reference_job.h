@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What `lueur reference` is to do, all of it checked, and the doing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "destination.h"
+#include "image/tone_map.h"
+#include "reference/reference.h"
+
+namespace lueur::cli {
+
+struct ReferenceJob {
+  std::string scene;
+  std::string camera;  // name or number; empty: the first
+  reference::Shot shot;
+  reference::Settings settings;
+  uint32_t threads = 0;
+  bool resume = false;
+  bool use_cache = true;
+
+  std::optional<float> exposure_ev;  // stops; none: the scene's own, or metered
+  bool meter_exposure = false;
+  ToneMap tone_map = ToneMap::khronos_neutral;
+  std::vector<Destination> destinations;  // at least one
+  bool json = false;
+};
+
+// Where an interrupted rendering keeps what continues it: beside the first picture.
+std::filesystem::path state_path(const ReferenceJob& job);
+
+// Traces, writes, reports. kExitInterrupted after SIGINT or SIGTERM, with what there was written.
+Outcome run_reference(ReferenceJob& job);
+
+}  // namespace lueur::cli

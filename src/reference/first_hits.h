@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What the camera sees through the centre of each pixel: the reference's own G-buffer.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "image/image.h"
+#include "reference/camera.h"
+#include "reference/world.h"
+
+namespace lueur::reference {
+
+struct FirstHit {
+  Surface surface;
+  glm::vec3 to_eye{0.0f};  // unit
+  float z_m = 0;           // along the optical axis
+};
+std::optional<FirstHit> first_hit(const World& world, const PinholeCamera& camera, uint32_t x,
+                                  uint32_t y);
+
+// Layers of a Rendering that need no random numbers. Black and 0 where nothing is.
+struct GBufferLayers {
+  ImageF depth, normal, albedo, emission, source, specular;
+  GBufferLayers(uint32_t width, uint32_t height);
+  void set(const World& world, const FirstHit& hit, uint32_t x, uint32_t y);
+};
+
+}  // namespace lueur::reference

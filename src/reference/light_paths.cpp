@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "reference/light_paths.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "reference/punctual_lights.h"
+#include "shading/brdf.h"
+
+namespace lueur::reference {
+namespace {
+
+// At the point the camera sees, half of the samples at least go by the cosine: `diffuse` is wanted
+// before albedo, so it needs them on dark and metallic surfaces, too.
+constexpr float kDiffuseShareAtFirst = 0.5f;
+constexpr float kDiffuseShareFurther = 0.1f;
+constexpr uint32_t kSurfacesBeforeChance = 4;
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+float balance(float pdf, float other) {
+  return pdf / (pdf + other);
+}
+
+bool is_black(const glm::vec3& c) {
+  return c == glm::vec3(0.0f);
+}
+
+}  // namespace
+
+// A surface as seen from where the path came.
+struct LightPaths::Vertex {
+  const Surface& surface;
+  Bsdf bsdf;
+
+  // f cos, for light from `to_light`; nothing from below the triangle, which is its own inside.
+  bool faces(const glm::vec3& to_light) const {
+    return glm::dot(surface.geometric_normal, to_light) > 0.0f;
+  }
+  glm::vec3 diffuse(const glm::vec3& to_light) const {
+    return bsdf.diffuse() * (bsdf.cosine(to_light) / kPi);
+  }
+  glm::vec3 specular(const glm::vec3& to_light) const {
+    return bsdf.specular(to_light) * bsdf.cosine(to_light);
+  }
+};
+
+// A random number only where there is something to choose.
+float LightPaths::pick_light(Sampler& sampler) const {
+  return world_.punctual_lights().size() > 1 ? sampler.next() : 0.0f;
+}
+
+bool LightPaths::seen_by_camera(const Surface& surface, uint64_t& rays) const {
+  const glm::vec3 to_eye = camera_.eye() - surface.position;
+  if (glm::dot(to_eye, surface.geometric_normal) <= 0.0f || !camera_.in_view(surface.position))
+    return false;
+  ++rays;
+  // Up to the near plane, behind which the camera sees nothing.
+  const float z_m = -glm::dot(to_eye, camera_.axis());
+  return !world_.rays().is_blocked_for_camera({World::origin(surface, to_eye), to_eye},
+                                              1.0f - camera_.near_m() / z_m);
+}
+
+// Radiance from one point of a glowing triangle, over the density per steradian of finding it and
+// weighted against the BRDF's sampling.
+glm::vec3 LightPaths::emitter_radiance(const Vertex& at, glm::vec3& to_light, Sampler& sampler,
+                                       uint64_t& rays) const {
+  const float choice = sampler.next();
+  const Emitters::Sample light = emitters_.sample(choice, sampler.next_2d());
+  const glm::vec3 way = light.position - at.surface.position;
+  const float distance2 = glm::dot(way, way);
+  if (!(distance2 > 0.0f) || is_black(light.radiance)) return glm::vec3(0.0f);
+  to_light = way / std::sqrt(distance2);
+  const float cos_emitter = std::abs(glm::dot(light.normal, to_light));
+  if (!at.faces(to_light) || at.bsdf.cosine(to_light) <= 0.0f || cos_emitter <= 0.0f)
+    return glm::vec3(0.0f);
+
+  // Both ends are moved off their surfaces, towards each other.
+  Surface end;
+  end.position = light.position;
+  end.geometric_normal = light.normal;
+  const glm::vec3 from = World::origin(at.surface, to_light);
+  const glm::vec3 to = World::origin(end, -to_light);
+  ++rays;
+  if (world_.rays().is_blocked({from, to - from}, 1.0f)) return glm::vec3(0.0f);
+  if (settings_.mode == Mode::screen) {
+    end.geometric_normal = glm::dot(light.normal, to_light) < 0.0f ? light.normal : -light.normal;
+    if (!seen_by_camera(end, rays)) return glm::vec3(0.0f);
+  }
+  const float pdf = light.pdf_area * distance2 / cos_emitter;
+  return light.radiance / pdf * balance(pdf, at.bsdf.pdf(to_light));
+}
+
+// The emission of what a sampled direction met, weighted against emitter_radiance().
+glm::vec3 LightPaths::emission_found(const Surface& found, const Vertex& from,
+                                     const Bsdf::Sample& direction, uint64_t& rays) const {
+  if (is_black(found.emission)) return glm::vec3(0.0f);
+  if (settings_.mode == Mode::screen && !seen_by_camera(found, rays)) return glm::vec3(0.0f);
+  const float density = emitters_.pdf_area(found.part);
+  if (!(density > 0.0f)) return found.emission;
+  const glm::vec3 way = found.position - from.surface.position;
+  const float cos_emitter = std::abs(glm::dot(found.geometric_normal, direction.to_light));
+  const float pdf = cos_emitter > 0.0f ? density * glm::dot(way, way) / cos_emitter : kInfinity;
+  return std::isfinite(pdf) ? found.emission * balance(direction.pdf, pdf) : glm::vec3(0.0f);
+}
+
+// The radiance that leaves `met` towards `to_eye`, its emission left out: one path's estimate.
+glm::vec3 LightPaths::arriving(const Surface& met, const glm::vec3& to_eye, Sampler& sampler,
+                               uint64_t& rays) const {
+  if (settings_.mode == Mode::screen) {
+    // What a G-buffer holds of it: diffuse, one value for all directions.
+    const Arrival light = one_arrival(world_, met, pick_light(sampler), rays);
+    if (is_black(light.irradiance) || !seen_by_camera(met, rays)) return glm::vec3(0.0f);
+    return world_.diffuse_albedo_of(met) * light.irradiance / kPi;
+  }
+
+  glm::vec3 radiance(0.0f), throughput(1.0f);
+  Surface surface = met;
+  glm::vec3 eye = to_eye;
+  for (uint32_t depth = 1;; ++depth) {
+    const Arrival light = one_arrival(world_, surface, pick_light(sampler), rays);
+    const bool is_last = depth >= settings_.bounces;
+    if (is_last && is_black(light.irradiance)) return radiance;
+    const Vertex vertex{surface, world_.bsdf(surface, eye, kDiffuseShareFurther)};
+    radiance += throughput * light.irradiance *
+                (vertex.bsdf.diffuse() / kPi + vertex.bsdf.specular(light.to_light));
+    if (is_last) return radiance;
+
+    if (!emitters_.empty()) {
+      glm::vec3 to_light(0.0f);
+      const glm::vec3 glow = emitter_radiance(vertex, to_light, sampler, rays);
+      if (!is_black(glow))
+        radiance += throughput * (vertex.diffuse(to_light) + vertex.specular(to_light)) * glow;
+    }
+    const Bsdf::Sample next = vertex.bsdf.sample(sampler.next_2d());
+    if (!(next.pdf > 0.0f) || !vertex.faces(next.to_light)) return radiance;
+    throughput *= (vertex.diffuse(next.to_light) + vertex.specular(next.to_light)) / next.pdf;
+    if (depth >= kSurfacesBeforeChance) {
+      const float survival = std::min(std::max({throughput.r, throughput.g, throughput.b}), 0.98f);
+      if (!(sampler.next() < survival)) return radiance;
+      throughput /= survival;
+    }
+    const Ray ray{World::origin(surface, next.to_light), next.to_light};
+    ++rays;
+    const std::optional<Hit> hit = world_.rays().nearest(ray);
+    if (!hit) return radiance;
+    const Surface found = world_.surface(ray, *hit);
+    radiance += throughput * emission_found(found, vertex, next, rays);
+    surface = found;
+    eye = -next.to_light;
+  }
+}
+
+PathSample LightPaths::ambient(const FirstHit& first, Sampler& sampler, uint64_t& rays) const {
+  const glm::vec3 direction =
+      Frame(first.surface.normal).to_world(cosine_direction(sampler.next_2d()));
+  // Below the triangle it is dark.
+  if (glm::dot(direction, first.surface.geometric_normal) <= 0.0f) return {};
+  ++rays;
+  const bool blocked = world_.rays().is_blocked(
+      {World::origin(first.surface, direction), direction}, settings_.ambient_distance_m);
+  return {glm::vec3(blocked ? 0.0f : 1.0f), glm::vec3(0.0f)};
+}
+
+PathSample LightPaths::sample(const FirstHit& first, Sampler& sampler, uint64_t& rays) const {
+  if (settings_.mode == Mode::ambient) return ambient(first, sampler, rays);
+  const bool diffuse_only = settings_.mode == Mode::screen;
+  const Vertex vertex{first.surface, world_.bsdf(first.surface, first.to_eye,
+                                                 diffuse_only ? 1.0f : kDiffuseShareAtFirst)};
+  PathSample sum;
+  const auto add = [&](const glm::vec3& to_light, const glm::vec3& radiance) {
+    sum.diffuse += radiance * (vertex.bsdf.cosine(to_light) / kPi);
+    if (!diffuse_only) sum.specular += radiance * vertex.specular(to_light);
+  };
+  if (!emitters_.empty()) {
+    glm::vec3 to_light(0.0f);
+    const glm::vec3 glow = emitter_radiance(vertex, to_light, sampler, rays);
+    if (!is_black(glow)) add(to_light, glow);
+  }
+  const Bsdf::Sample next = vertex.bsdf.sample(sampler.next_2d());
+  if (!(next.pdf > 0.0f) || !vertex.faces(next.to_light)) return sum;
+  const Ray ray{World::origin(first.surface, next.to_light), next.to_light};
+  ++rays;
+  const std::optional<Hit> hit = world_.rays().nearest(ray);
+  if (!hit) return sum;
+  const Surface met = world_.surface(ray, *hit);
+  const glm::vec3 radiance =
+      emission_found(met, vertex, next, rays) + arriving(met, -next.to_light, sampler, rays);
+  add(next.to_light, radiance / next.pdf);
+  return sum;
+}
+
+}  // namespace lueur::reference

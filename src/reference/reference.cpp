@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: MIT
+#include "reference/reference.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <thread>
+
+#include "base/check.h"
+#include "base/try.h"
+#include "reference/accumulator.h"
+#include "reference/content.h"
+#include "reference/light_paths.h"
+#include "reference/screen_sum.h"
+
+namespace lueur::reference {
+namespace {
+
+constexpr uint32_t kTilePx = 16;
+constexpr uint32_t kPathsPerPass = 8;
+// Fewer say too little about their own spread to stop by it.
+constexpr uint32_t kLeastPassesForError = 8;
+
+constexpr std::array<ModeName, 4> kModeNames{{
+    {"path", Mode::path, "path tracing of the scene: the truth"},
+    {"screen", Mode::screen, "one bounce off what the camera sees: the best from one view"},
+    {"screen-unoccluded", Mode::screen_unoccluded,
+     "the sum over all pixels, through everything: what a gather on the screen estimates"},
+    {"ambient", Mode::ambient, "ambient occlusion within a distance"},
+}};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+// One rendering from its start to its layers.
+class Job {
+ public:
+  Job(const World& world, const Shot& shot, const Settings& settings, const Control& control)
+      : world_(world),
+        shot_(shot),
+        settings_(settings),
+        control_(control),
+        camera_(world.scene().cameras[static_cast<size_t>(shot.camera)],
+                world.world_from_node()[static_cast<size_t>(
+                    world.scene().cameras[static_cast<size_t>(shot.camera)].node)],
+                shot.width, shot.height),
+        emitters_(world),
+        paths_(world_, emitters_, camera_, settings_),
+        sums_(shot.width, shot.height),
+        g_buffer_(shot.width, shot.height) {}
+
+  Result<Rendering> run(const std::string& key, std::span<const uint8_t> resume_from);
+
+ private:
+  bool for_each_tile(const std::function<void(uint32_t x, uint32_t y, uint64_t& rays)>& pixel,
+                     bool may_stop);
+  void see();
+  bool trace_pass();
+  uint32_t passes_wanted() const;
+  void report();
+  std::vector<ImageLayer> layers() const;
+
+  const World& world_;
+  const Shot& shot_;
+  const Settings& settings_;
+  const Control& control_;
+  const PinholeCamera camera_;
+  const Emitters emitters_;
+  const LightPaths paths_;
+  Accumulator sums_;
+  GBufferLayers g_buffer_;
+  std::optional<ScreenSum> screen_sum_;
+  std::vector<std::optional<FirstHit>> hits_;  // screen_unoccluded only
+  std::vector<PathSample> means_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  std::atomic<uint64_t> rays_ = 0;
+  uint32_t passes_at_start_ = 0;
+  Progress progress_;
+};
+
+// Calls `pixel` for every pixel, from all threads. False when stopped before the last.
+bool Job::for_each_tile(const std::function<void(uint32_t x, uint32_t y, uint64_t& rays)>& pixel,
+                        bool may_stop) {
+  const uint32_t columns = (shot_.width + kTilePx - 1) / kTilePx;
+  const uint32_t rows = (shot_.height + kTilePx - 1) / kTilePx;
+  std::atomic<uint32_t> next = 0;
+  const auto work = [&] {
+    uint64_t rays = 0;
+    for (uint32_t tile = next++; tile < columns * rows; tile = next++) {
+      if (may_stop && control_.stop.stop_requested()) break;
+      const uint32_t x0 = tile % columns * kTilePx, y0 = tile / columns * kTilePx;
+      for (uint32_t y = y0; y < std::min(y0 + kTilePx, shot_.height); ++y)
+        for (uint32_t x = x0; x < std::min(x0 + kTilePx, shot_.width); ++x) pixel(x, y, rays);
+    }
+    rays_ += rays;
+  };
+  const uint32_t threads =
+      control_.threads > 0 ? control_.threads : std::max(std::thread::hardware_concurrency(), 1u);
+  {
+    std::vector<std::jthread> others;
+    for (uint32_t i = 1; i < threads; ++i) others.emplace_back(work);
+    work();
+  }
+  return !may_stop || !control_.stop.stop_requested();
+}
+
+// Everything that needs no random numbers.
+void Job::see() {
+  const bool keep = settings_.mode == Mode::screen_unoccluded;
+  if (keep) hits_.resize(means_.size());
+  for_each_tile(
+      [&](uint32_t x, uint32_t y, uint64_t&) {
+        const auto hit = first_hit(world_, camera_, x, y);
+        if (!hit) return;
+        g_buffer_.set(world_, *hit, x, y);
+        if (keep) hits_[size_t{y} * shot_.width + x] = hit;
+      },
+      false);
+  if (keep) screen_sum_.emplace(hits_, g_buffer_.source, camera_, settings_);
+}
+
+uint32_t Job::passes_wanted() const {
+  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kPathsPerPass;
+  const uint32_t wanted = (settings_.spp + per_pass - 1) / per_pass;
+  if (!screen_sum_) return std::max(wanted, 1u);
+  return wanted == 0 ? screen_sum_->passes() : std::min(wanted, screen_sum_->passes());
+}
+
+// Adds one pass to the sums, unless it is stopped.
+bool Job::trace_pass() {
+  const uint32_t pass = sums_.passes();
+  if (screen_sum_) screen_sum_->begin_pass(pass);
+  const bool whole = for_each_tile(
+      [&](uint32_t x, uint32_t y, uint64_t& rays) {
+        const size_t i = size_t{y} * shot_.width + x;
+        means_[i] = {};
+        if (screen_sum_) {
+          if (hits_[i]) means_[i].diffuse = screen_sum_->at(*hits_[i]);
+          return;
+        }
+        const auto hit = first_hit(world_, camera_, x, y);
+        if (!hit) return;
+        const uint32_t seed = combined(combined(settings_.seed, x), y);
+        for (uint32_t k = 0; k < kPathsPerPass; ++k) {
+          Sampler sampler(seed, pass * kPathsPerPass + k);
+          const PathSample sample = paths_.sample(*hit, sampler, rays);
+          means_[i].diffuse += sample.diffuse / static_cast<float>(kPathsPerPass);
+          means_[i].specular += sample.specular / static_cast<float>(kPathsPerPass);
+        }
+      },
+      true);
+  if (whole) sums_.add_pass(means_);
+  return whole;
+}
+
+void Job::report() {
+  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kPathsPerPass;
+  progress_.spp_done = sums_.passes() * per_pass;
+  progress_.spp_total = passes_wanted() * per_pass;
+  progress_.relative_error = sums_.relative_error();
+  progress_.seconds = seconds_since(start_);
+  progress_.rays = rays_;
+  const uint32_t done = sums_.passes() - passes_at_start_;
+  double passes_left = passes_wanted() - std::min(sums_.passes(), passes_wanted());
+  if (settings_.target_error > 0 && std::isfinite(progress_.relative_error)) {
+    // Errors fall with the square root of the passes.
+    const double ratio = progress_.relative_error / settings_.target_error;
+    passes_left = std::min(passes_left, std::max((ratio * ratio - 1.0) * sums_.passes(), 0.0));
+  }
+  progress_.seconds_left = done > 0 ? progress_.seconds / done * passes_left : 0.0;
+  if (control_.progress) control_.progress(progress_);
+}
+
+std::vector<ImageLayer> Job::layers() const {
+  std::vector<ImageLayer> layers;
+  if (settings_.mode == Mode::ambient) {
+    const ImageF mean = sums_.diffuse(), spread = sums_.variance();
+    ImageF occlusion(shot_.width, shot_.height, 1), variance(shot_.width, shot_.height, 1);
+    for (size_t i = 0; i < occlusion.samples.size(); ++i) {
+      occlusion.samples[i] = mean.samples[3 * i];
+      variance.samples[i] = spread.samples[3 * i];
+    }
+    layers.push_back({"occlusion", std::move(occlusion)});
+    layers.push_back({"variance", std::move(variance)});
+  } else {
+    const ImageF indirect = sums_.diffuse(), indirect_specular = sums_.specular();
+    ImageF direct = g_buffer_.source, picture;
+    for (size_t i = 0; i < direct.samples.size(); ++i)
+      direct.samples[i] += g_buffer_.specular.samples[i];
+    picture = direct;
+    for (size_t i = 0; i < picture.samples.size(); ++i)
+      picture.samples[i] +=
+          g_buffer_.albedo.samples[i] * indirect.samples[i] + indirect_specular.samples[i];
+    layers.push_back({"", std::move(picture)});
+    layers.push_back({"direct", std::move(direct)});
+    layers.push_back({"indirect", indirect});
+    if (settings_.mode == Mode::path) layers.push_back({"indirect_specular", indirect_specular});
+    if (settings_.mode != Mode::screen_unoccluded) layers.push_back({"variance", sums_.variance()});
+  }
+  layers.push_back({"albedo", g_buffer_.albedo});
+  layers.push_back({"normal", g_buffer_.normal});
+  layers.push_back({"depth", g_buffer_.depth});
+  layers.push_back({"specular", g_buffer_.specular});
+  layers.push_back({"emission", g_buffer_.emission});
+  layers.push_back({"source", g_buffer_.source});
+  return layers;
+}
+
+Result<Rendering> Job::run(const std::string& key, std::span<const uint8_t> resume_from) {
+  if (!resume_from.empty()) LUEUR_TRY_VOID(sums_.from_bytes(resume_from, key));
+  passes_at_start_ = sums_.passes();
+  means_.resize(size_t{shot_.width} * shot_.height);
+  see();
+  bool whole = true;
+  auto checkpoint = std::chrono::steady_clock::now();
+  for (report(); whole && sums_.passes() < passes_wanted(); report()) {
+    if (settings_.target_error > 0 && sums_.passes() >= kLeastPassesForError &&
+        progress_.relative_error <= settings_.target_error)
+      break;
+    whole = trace_pass();
+    if (control_.checkpoint && seconds_since(checkpoint) >= control_.checkpoint_s) {
+      control_.checkpoint(sums_.to_bytes(key));
+      checkpoint = std::chrono::steady_clock::now();
+    }
+  }
+  Rendering rendering{progress_, whole, layers(), {}};
+  if (!whole) rendering.state = sums_.to_bytes(key);
+  return rendering;
+}
+
+}  // namespace
+
+std::span<const ModeName> mode_names() {
+  return kModeNames;
+}
+
+std::string_view name_of(Mode mode) {
+  return std::find_if(kModeNames.begin(), kModeNames.end(),
+                      [&](const ModeName& row) { return row.mode == mode; })
+      ->name;
+}
+
+const ImageF* find_layer(const Rendering& rendering, std::string_view name) {
+  for (const ImageLayer& layer : rendering.layers)
+    if (layer.name == name) return &layer.image;
+  return nullptr;
+}
+
+Result<Rendering> render(const Scene& scene, const Shot& shot, const Settings& settings,
+                         const Control& control, std::span<const uint8_t> resume_from) {
+  LUEUR_CHECK(shot.camera >= 0 && static_cast<size_t>(shot.camera) < scene.cameras.size());
+  LUEUR_CHECK(shot.width > 0 && shot.height > 0);
+  LUEUR_CHECK(settings.bounces >= 1 && settings.bounces <= kMaxBounces);
+  LUEUR_TRY(world, World::create(scene, shot.time_s));
+  Job job(world, shot, settings, control);
+  return job.run(content_key(scene, shot, settings), resume_from);
+}
+
+}  // namespace lueur::reference

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// HSSIL (3) or (4) over the camera's pixels, with visibility 1: what a gather on the screen
+// estimates. Errors beyond this are sampling and filtering.
+#pragma once
+
+#include <vector>
+
+#include "reference/camera.h"
+#include "reference/first_hits.h"
+#include "reference/reference.h"
+
+namespace lueur::reference {
+
+class ScreenSum {
+ public:
+  // Pixels that one pass sums up.
+  static constexpr uint32_t kPixelsPerPass = 256;
+
+  // `hits` are those of all pixels, row by row, `source` their layer.
+  ScreenSum(const std::vector<std::optional<FirstHit>>& hits, const ImageF& source,
+            const PinholeCamera& camera, const Settings& settings);
+
+  // Passes after which every pixel with light was summed once.
+  uint32_t passes() const { return passes_; }
+  // Chooses the pixels of pass `pass`. They lie evenly over the picture, and a row of passes does.
+  void begin_pass(uint32_t pass);
+  // diffuse, estimated from the pixels of this pass; the mean over all passes is the whole sum.
+  glm::vec3 at(const FirstHit& receiver) const;
+
+ private:
+  // A source pixel: place, normal, area over pi, radiance.
+  struct Source {
+    glm::vec3 position, normal;
+    float area_over_pi;
+    glm::vec3 radiance;
+  };
+  std::vector<Source> sources_;
+  std::vector<Source> chosen_;
+  uint32_t passes_ = 0;
+  uint32_t seed_ = 0;
+  FormFactor form_factor_;
+};
+
+}  // namespace lueur::reference

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "reference/world.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/try.h"
+#include "shading/brdf.h"
+
+namespace lueur::reference {
+namespace {
+
+std::optional<TextureSampler> sampler(const Scene& scene, int32_t texture,
+                                      TextureSampler::Encoding encoding) {
+  if (texture == kNone) return std::nullopt;
+  return TextureSampler(scene.textures[static_cast<size_t>(texture)], encoding);
+}
+
+// How far the barycentric coordinates (u, v) move with a ray's step, on the triangle's plane: the
+// ray through origin + t (direction + step) meets it at another point.
+glm::vec2 barycentric_step(const RayScene::Corners& t, const Ray& ray, float distance,
+                           const glm::vec3& step) {
+  const glm::vec3 e1 = t.b - t.a, e2 = t.c - t.a;
+  const glm::vec3 n = glm::cross(e1, e2);
+  const glm::vec3 direction = ray.direction + step;
+  const glm::vec3 here = ray.origin + distance * ray.direction;
+  const float along = glm::dot(n, direction);
+  const glm::vec3 there = ray.origin + glm::dot(n, here - ray.origin) / along * direction;
+  const glm::vec3 moved = there - here;
+  const float area2 = glm::dot(n, n);
+  return {glm::dot(glm::cross(moved, e2), n) / area2, glm::dot(glm::cross(e1, moved), n) / area2};
+}
+
+glm::vec4 look_up(const TextureSampler& texture, const TexturePlace& place) {
+  return place.pixel_steps
+             ? texture.filtered(place.uv, place.pixel_steps->first, place.pixel_steps->second)
+             : texture.finest(place.uv);
+}
+
+}  // namespace
+
+World::World(RayScene rays, std::vector<glm::mat4> world_from_node)
+    : rays_(std::move(rays)), world_from_node_(std::move(world_from_node)) {}
+
+Result<World> World::create(const Scene& scene, float time_s) {
+  std::vector<glm::mat4> posed = pose(scene, time_s);
+  LUEUR_TRY(rays, RayScene::create(scene, posed));
+  World world(std::move(rays), std::move(posed));
+  for (const MeshInstance& instance : scene.instances) {
+    const glm::mat3 linear(world.world_from_node_[static_cast<size_t>(instance.node)]);
+    // As in the renderer, a transform that flattens leaves normals as they are.
+    world.normal_from_object_.push_back(std::abs(glm::determinant(linear)) > 1e-30f
+                                            ? glm::transpose(glm::inverse(linear))
+                                            : glm::mat3(1.0f));
+  }
+  using enum TextureSampler::Encoding;
+  for (const Material& m : scene.materials)
+    world.textures_.push_back({sampler(scene, m.base_color_texture, srgb),
+                               sampler(scene, m.metallic_roughness_texture, linear),
+                               sampler(scene, m.normal_texture, linear),
+                               sampler(scene, m.emission_texture, srgb)});
+  for (const Light& light : scene.lights)
+    world.punctual_lights_.push_back(
+        place(light, world.world_from_node_[static_cast<size_t>(light.node)]));
+  return world;
+}
+
+const Material& World::material_of(uint32_t part) const {
+  return scene().materials[static_cast<size_t>(rays_.parts()[part].material)];
+}
+
+const World::MaterialTextures& World::textures_of(uint32_t part) const {
+  return textures_[static_cast<size_t>(rays_.parts()[part].material)];
+}
+
+Surface World::surface(const Ray& ray, const Hit& hit,
+                       const std::optional<Footprint>& footprint) const {
+  const Part& part = rays_.parts()[hit.part];
+  const Mesh& mesh = scene().meshes[static_cast<size_t>(part.mesh)];
+  const Material& material = material_of(hit.part);
+  const MaterialTextures& textures = textures_of(hit.part);
+  const uint32_t* index = &mesh.indices[part.first_index + 3 * size_t{hit.triangle}];
+  const Vertex &a = mesh.vertices[index[0]], &b = mesh.vertices[index[1]],
+               &c = mesh.vertices[index[2]];
+  const float w = 1.0f - hit.u - hit.v;
+
+  Surface s;
+  s.part = hit.part;
+  const RayScene::Corners corners = rays_.corners(hit.part, hit.triangle);
+  s.position = w * corners.a + hit.u * corners.b + hit.v * corners.c;
+  const bool front = glm::dot(hit.normal, ray.direction) < 0.0f;
+  s.geometric_normal = front ? hit.normal : -hit.normal;
+
+  s.place.uv = w * a.uv + hit.u * b.uv + hit.v * c.uv;
+  if (footprint) {
+    const auto uv_step = [&](const glm::vec3& step) {
+      const glm::vec2 moved = barycentric_step(corners, ray, hit.distance, step);
+      return moved.x * (b.uv - a.uv) + moved.y * (c.uv - a.uv);
+    };
+    s.place.pixel_steps.emplace(uv_step(footprint->step_x), uv_step(footprint->step_y));
+  }
+
+  // Interpolate and map the normal as g_buffer.frag does.
+  const glm::mat3& normal_matrix = normal_from_object_[part.instance];
+  glm::vec3 n = normal_matrix * (w * a.normal + hit.u * b.normal + hit.v * c.normal);
+  n = glm::dot(n, n) > 0.0f ? glm::normalize(n) : hit.normal;
+  if (textures.normal) {
+    const glm::mat3 linear(
+        world_from_node_[static_cast<size_t>(scene().instances[part.instance].node)]);
+    const glm::vec3 along =
+        linear * glm::vec3(w * a.tangent + hit.u * b.tangent + hit.v * c.tangent);
+    const glm::vec3 t = glm::normalize(along - n * glm::dot(n, along));
+    const glm::vec3 bitangent = glm::cross(n, t) * a.tangent.w;
+    glm::vec3 mapped = glm::vec3(look_up(*textures.normal, s.place)) * 2.0f - 1.0f;
+    mapped.x *= material.normal_scale;
+    mapped.y *= material.normal_scale;
+    const glm::vec3 perturbed = t * mapped.x + bitangent * mapped.y + n * mapped.z;
+    if (glm::dot(perturbed, perturbed) > 1e-8f) n = glm::normalize(perturbed);
+  }
+  s.normal = front ? n : -n;
+
+  s.emission = material.emission;
+  if (textures.emission && s.emission != glm::vec3(0.0f))
+    s.emission *= glm::vec3(look_up(*textures.emission, s.place));
+  return s;
+}
+
+glm::vec3 World::base_color_of(const Surface& s) const {
+  const MaterialTextures& textures = textures_of(s.part);
+  const glm::vec3 factor(material_of(s.part).base_color);
+  return textures.base_color ? factor * glm::vec3(look_up(*textures.base_color, s.place)) : factor;
+}
+
+glm::vec2 World::metallic_roughness_of(const Surface& s) const {
+  const MaterialTextures& textures = textures_of(s.part);
+  const Material& material = material_of(s.part);
+  const glm::vec2 factor(material.metallic, material.roughness);
+  if (!textures.metallic_roughness) return factor;
+  const glm::vec4 texel = look_up(*textures.metallic_roughness, s.place);
+  return factor * glm::vec2(texel.b, texel.g);
+}
+
+glm::vec3 World::diffuse_albedo_of(const Surface& s) const {
+  return diffuse_albedo(base_color_of(s), metallic_roughness_of(s).x);
+}
+
+Bsdf World::bsdf(const Surface& s, const glm::vec3& to_eye, float least_diffuse_share) const {
+  const Material& material = material_of(s.part);
+  const glm::vec3 base_color = base_color_of(s);
+  const glm::vec2 mr = metallic_roughness_of(s);
+  return {{.normal = s.normal,
+           .to_eye = to_eye,
+           .diffuse_albedo = diffuse_albedo(base_color, mr.x),
+           .specular_f0 = specular_f0(base_color, mr.x, material.specular),
+           .specular_f90 = specular_f90(mr.x, material.specular),
+           .roughness = mr.y,
+           .phong = material.phong},
+          least_diffuse_share};
+}
+
+glm::vec3 World::mean_emission(uint32_t part) const {
+  const auto& texture = textures_of(part).emission;
+  return material_of(part).emission * (texture ? glm::vec3(texture->mean()) : glm::vec3(1.0f));
+}
+
+glm::vec3 World::emission_at(uint32_t part_index, uint32_t triangle, float u, float v) const {
+  const Part& part = rays_.parts()[part_index];
+  const glm::vec3 emission = material_of(part_index).emission;
+  const auto& texture = textures_of(part_index).emission;
+  if (!texture) return emission;
+  const Mesh& mesh = scene().meshes[static_cast<size_t>(part.mesh)];
+  const uint32_t* index = &mesh.indices[part.first_index + 3 * size_t{triangle}];
+  const glm::vec2 uv = (1.0f - u - v) * mesh.vertices[index[0]].uv +
+                       u * mesh.vertices[index[1]].uv + v * mesh.vertices[index[2]].uv;
+  return emission * glm::vec3(texture->finest(uv));
+}
+
+glm::vec3 World::origin(const Surface& surface, const glm::vec3& direction) {
+  // A position is off by some roundings of its largest coordinate; 2^-17 is 64 of them.
+  const glm::vec3 reach = glm::abs(surface.position);
+  const float step = 0x1p-17f * std::max({reach.x, reach.y, reach.z, 0x1p-7f});
+  const float side = glm::dot(direction, surface.geometric_normal) < 0.0f ? -step : step;
+  return surface.position + side * surface.geometric_normal;
+}
+
+}  // namespace lueur::reference

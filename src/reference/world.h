@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// A posed scene as light meets it: surfaces with their materials, and what shines.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "reference/bsdf.h"
+#include "reference/ray_scene.h"
+#include "reference/texture.h"
+#include "scene/placed_light.h"
+
+namespace lueur::reference {
+
+// Where on a material's textures a point lies.
+struct TexturePlace {
+  glm::vec2 uv{0.0f};
+  // A pixel's steps to the right and down; none: the finest level is read.
+  std::optional<std::pair<glm::vec2, glm::vec2>> pixel_steps;
+};
+
+// The point that a ray met. Normals are unit and on the ray's side, but that the shading normal, as
+// the rasterizer's, may lean a little beyond. What the surface reflects is looked up on demand, as
+// most points that a path meets are in the dark.
+struct Surface {
+  glm::vec3 position{0.0f};
+  glm::vec3 geometric_normal{0.0f};
+  glm::vec3 normal{0.0f};  // interpolated and normal mapped
+  glm::vec3 emission{0.0f};
+  uint32_t part = 0;
+  TexturePlace place;
+};
+
+class World {
+ public:
+  // `scene` must outlive this.
+  static Result<World> create(const Scene& scene, float time_s);
+
+  const RayScene& rays() const { return rays_; }
+  const Scene& scene() const { return rays_.scene(); }
+  const std::vector<glm::mat4>& world_from_node() const { return world_from_node_; }
+  const std::vector<PlacedLight>& punctual_lights() const { return punctual_lights_; }
+
+  // What `ray` met. Textures are read at their finest level, or filtered for a pixel whose
+  // neighbours' rays have the same origin and directions `step_x` and `step_y` further on.
+  struct Footprint {
+    glm::vec3 step_x, step_y;
+  };
+  Surface surface(const Ray& ray, const Hit& hit,
+                  const std::optional<Footprint>& footprint = std::nullopt) const;
+  // The lobes of a surface towards `to_eye`, a unit vector; `least_diffuse_share` as Bsdf takes it.
+  Bsdf bsdf(const Surface& surface, const glm::vec3& to_eye, float least_diffuse_share) const;
+  glm::vec3 diffuse_albedo_of(const Surface& surface) const;
+
+  // Mean emission of a part's material, over its texture.
+  glm::vec3 mean_emission(uint32_t part) const;
+  glm::vec3 emission_at(uint32_t part, uint32_t triangle, float u, float v) const;
+
+  // The origin for a ray that leaves the surface into the half space of `direction`: far enough off
+  // not to meet its own triangle by rounding.
+  static glm::vec3 origin(const Surface& surface, const glm::vec3& direction);
+
+ private:
+  struct MaterialTextures {
+    std::optional<TextureSampler> base_color, metallic_roughness, normal, emission;
+  };
+  World(RayScene rays, std::vector<glm::mat4> world_from_node);
+  const Material& material_of(uint32_t part) const;
+  const MaterialTextures& textures_of(uint32_t part) const;
+  glm::vec3 base_color_of(const Surface& surface) const;
+  // x metallic, y perceptual roughness
+  glm::vec2 metallic_roughness_of(const Surface& surface) const;
+
+  RayScene rays_;
+  std::vector<glm::mat4> world_from_node_;
+  std::vector<glm::mat3> normal_from_object_;  // inverse transpose, by instance
+  std::vector<MaterialTextures> textures_;     // by material
+  std::vector<PlacedLight> punctual_lights_;
+};
+
+}  // namespace lueur::reference
