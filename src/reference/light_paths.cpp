@@ -28,22 +28,14 @@ bool is_black(const glm::vec3& c) {
 
 }  // namespace
 
-// A surface as seen from where the path came.
-struct LightPaths::Vertex {
-  const Surface& surface;
-  Bsdf bsdf;
+glm::vec3 PathVertex::reflected(const glm::vec3& to_light) const {
+  return (bsdf.diffuse() / kPi + bsdf.specular(to_light)) * bsdf.cosine(to_light);
+}
 
-  // f cos, for light from `to_light`; nothing from below the triangle, which is its own inside.
-  bool faces(const glm::vec3& to_light) const {
-    return glm::dot(surface.geometric_normal, to_light) > 0.0f;
-  }
-  glm::vec3 diffuse(const glm::vec3& to_light) const {
-    return bsdf.diffuse() * (bsdf.cosine(to_light) / kPi);
-  }
-  glm::vec3 specular(const glm::vec3& to_light) const {
-    return bsdf.specular(to_light) * bsdf.cosine(to_light);
-  }
-};
+PathVertex LightPaths::begin(const FirstHit& first) const {
+  const float diffuse_share = settings_.mode == Mode::path ? kDiffuseShareAtFirst : 1.0f;
+  return {first.surface, world_.bsdf(first.surface, first.to_eye, diffuse_share)};
+}
 
 // A random number only where there is something to choose.
 float LightPaths::pick_light(Sampler& sampler) const {
@@ -63,7 +55,7 @@ bool LightPaths::seen_by_camera(const Surface& surface, uint64_t& rays) const {
 
 // Radiance from one point of a glowing triangle, over the density per steradian of finding it and
 // weighted against the BRDF's sampling.
-glm::vec3 LightPaths::emitter_radiance(const Vertex& at, glm::vec3& to_light, Sampler& sampler,
+glm::vec3 LightPaths::emitter_radiance(const PathVertex& at, glm::vec3& to_light, Sampler& sampler,
                                        uint64_t& rays) const {
   const float choice = sampler.next();
   const Emitters::Sample light = emitters_.sample(choice, sampler.next_2d());
@@ -92,7 +84,7 @@ glm::vec3 LightPaths::emitter_radiance(const Vertex& at, glm::vec3& to_light, Sa
 }
 
 // The emission of what a sampled direction met, weighted against emitter_radiance().
-glm::vec3 LightPaths::emission_found(const Surface& found, const Vertex& from,
+glm::vec3 LightPaths::emission_found(const Surface& found, const PathVertex& from,
                                      const Bsdf::Sample& direction, uint64_t& rays) const {
   if (is_black(found.emission)) return glm::vec3(0.0f);
   if (settings_.mode == Mode::screen && !seen_by_camera(found, rays)) return glm::vec3(0.0f);
@@ -121,7 +113,7 @@ glm::vec3 LightPaths::arriving(const Surface& met, const glm::vec3& to_eye, Samp
     const Arrival light = one_arrival(world_, surface, pick_light(sampler), rays);
     const bool is_last = depth >= settings_.bounces;
     if (is_last && is_black(light.irradiance)) return radiance;
-    const Vertex vertex{surface, world_.bsdf(surface, eye, kDiffuseShareFurther)};
+    const PathVertex vertex{surface, world_.bsdf(surface, eye, kDiffuseShareFurther)};
     radiance += throughput * light.irradiance *
                 (vertex.bsdf.diffuse() / kPi + vertex.bsdf.specular(light.to_light));
     if (is_last) return radiance;
@@ -129,12 +121,11 @@ glm::vec3 LightPaths::arriving(const Surface& met, const glm::vec3& to_eye, Samp
     if (!emitters_.empty()) {
       glm::vec3 to_light(0.0f);
       const glm::vec3 glow = emitter_radiance(vertex, to_light, sampler, rays);
-      if (!is_black(glow))
-        radiance += throughput * (vertex.diffuse(to_light) + vertex.specular(to_light)) * glow;
+      if (!is_black(glow)) radiance += throughput * vertex.reflected(to_light) * glow;
     }
     const Bsdf::Sample next = vertex.bsdf.sample(sampler.next_2d());
     if (!(next.pdf > 0.0f) || !vertex.faces(next.to_light)) return radiance;
-    throughput *= (vertex.diffuse(next.to_light) + vertex.specular(next.to_light)) / next.pdf;
+    throughput *= vertex.reflected(next.to_light) / next.pdf;
     if (depth >= kSurfacesBeforeChance) {
       const float survival = std::min(std::max({throughput.r, throughput.g, throughput.b}), 0.98f);
       if (!(sampler.next() < survival)) return radiance;
@@ -151,42 +142,37 @@ glm::vec3 LightPaths::arriving(const Surface& met, const glm::vec3& to_eye, Samp
   }
 }
 
-PathSample LightPaths::ambient(const FirstHit& first, Sampler& sampler, uint64_t& rays) const {
-  const glm::vec3 direction =
-      Frame(first.surface.normal).to_world(cosine_direction(sampler.next_2d()));
-  // Below the triangle it is dark.
-  if (glm::dot(direction, first.surface.geometric_normal) <= 0.0f) return {};
+PathSample LightPaths::ambient(const PathVertex& first, Sampler& sampler, uint64_t& rays) const {
+  const Bsdf::Sample free = first.bsdf.sample(sampler.next_2d());
+  if (!(free.pdf > 0.0f) || !first.faces(free.to_light)) return {};
   ++rays;
-  const bool blocked = world_.rays().is_blocked(
-      {World::origin(first.surface, direction), direction}, settings_.ambient_distance_m);
+  const Ray ray{World::origin(first.surface, free.to_light), free.to_light};
+  const bool blocked = world_.rays().is_blocked(ray, settings_.ambient_distance_m);
   return {glm::vec3(blocked ? 0.0f : 1.0f), glm::vec3(0.0f)};
 }
 
-PathSample LightPaths::sample(const FirstHit& first, Sampler& sampler, uint64_t& rays) const {
+PathSample LightPaths::sample(const PathVertex& first, Sampler& sampler, uint64_t& rays) const {
   if (settings_.mode == Mode::ambient) return ambient(first, sampler, rays);
-  const bool diffuse_only = settings_.mode == Mode::screen;
-  const Vertex vertex{first.surface, world_.bsdf(first.surface, first.to_eye,
-                                                 diffuse_only ? 1.0f : kDiffuseShareAtFirst)};
   PathSample sum;
   const auto add = [&](const glm::vec3& to_light, const glm::vec3& radiance) {
-    sum.diffuse += radiance * (vertex.bsdf.cosine(to_light) / kPi);
-    if (!diffuse_only) sum.specular += radiance * vertex.specular(to_light);
+    sum.diffuse += radiance * (first.bsdf.cosine(to_light) / kPi);
+    if (settings_.mode == Mode::path) sum.specular += radiance * first.specular(to_light);
   };
   if (!emitters_.empty()) {
     glm::vec3 to_light(0.0f);
-    const glm::vec3 glow = emitter_radiance(vertex, to_light, sampler, rays);
+    const glm::vec3 glow = emitter_radiance(first, to_light, sampler, rays);
     if (!is_black(glow)) add(to_light, glow);
   }
-  const Bsdf::Sample next = vertex.bsdf.sample(sampler.next_2d());
-  if (!(next.pdf > 0.0f) || !vertex.faces(next.to_light)) return sum;
+  const Bsdf::Sample next = first.bsdf.sample(sampler.next_2d());
+  if (!(next.pdf > 0.0f) || !first.faces(next.to_light)) return sum;
   const Ray ray{World::origin(first.surface, next.to_light), next.to_light};
   ++rays;
   const std::optional<Hit> hit = world_.rays().nearest(ray);
   if (!hit) return sum;
   const Surface met = world_.surface(ray, *hit);
   const glm::vec3 radiance =
-      emission_found(met, vertex, next, rays) + arriving(met, -next.to_light, sampler, rays);
-  add(next.to_light, radiance / next.pdf);
+      emission_found(met, first, next, rays) + arriving(met, -next.to_light, sampler, rays);
+  if (!is_black(radiance)) add(next.to_light, radiance / next.pdf);
   return sum;
 }
 

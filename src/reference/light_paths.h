@@ -10,6 +10,22 @@
 
 namespace lueur::reference {
 
+// A surface as seen from where the path came.
+struct PathVertex {
+  const Surface& surface;
+  Bsdf bsdf;
+
+  // Nothing comes from below the triangle, which is its own inside.
+  bool faces(const glm::vec3& to_light) const {
+    return glm::dot(surface.geometric_normal, to_light) > 0.0f;
+  }
+  // f cos, for light from `to_light`.
+  glm::vec3 specular(const glm::vec3& to_light) const {
+    return bsdf.specular(to_light) * bsdf.cosine(to_light);
+  }
+  glm::vec3 reflected(const glm::vec3& to_light) const;
+};
+
 // One sample's estimates; of `ambient`, diffuse.r is the occlusion.
 struct PathSample {
   glm::vec3 diffuse{0.0f};   // E/pi
@@ -26,16 +42,17 @@ class LightPaths {
              const Settings& settings)
       : world_(world), emitters_(emitters), camera_(camera), settings_(settings) {}
 
+  // Where all paths of a pixel begin. `first` must outlive it.
+  PathVertex begin(const FirstHit& first) const;
   // Adds the rays that it traces to `rays`.
-  PathSample sample(const FirstHit& first, Sampler& sampler, uint64_t& rays) const;
+  PathSample sample(const PathVertex& first, Sampler& sampler, uint64_t& rays) const;
 
  private:
-  struct Vertex;
-  PathSample ambient(const FirstHit& first, Sampler& sampler, uint64_t& rays) const;
-  glm::vec3 emitter_radiance(const Vertex& at, glm::vec3& to_light, Sampler& sampler,
+  PathSample ambient(const PathVertex& first, Sampler& sampler, uint64_t& rays) const;
+  glm::vec3 emitter_radiance(const PathVertex& at, glm::vec3& to_light, Sampler& sampler,
                              uint64_t& rays) const;
-  glm::vec3 emission_found(const Surface& found, const Vertex& from, const Bsdf::Sample& direction,
-                           uint64_t& rays) const;
+  glm::vec3 emission_found(const Surface& found, const PathVertex& from,
+                           const Bsdf::Sample& direction, uint64_t& rays) const;
   float pick_light(Sampler& sampler) const;
   bool seen_by_camera(const Surface& surface, uint64_t& rays) const;
   glm::vec3 arriving(const Surface& met, const glm::vec3& to_eye, Sampler& sampler,

@@ -19,9 +19,10 @@ namespace lueur::reference {
 namespace {
 
 constexpr uint32_t kTilePx = 16;
-constexpr uint32_t kPathsPerPass = 8;
+// Few enough to stop soon, enough that looking at the first surface anew each time costs little.
+constexpr uint32_t kPathsPerPass = 16;
 // Fewer say too little about their own spread to stop by it.
-constexpr uint32_t kLeastPassesForError = 8;
+constexpr uint32_t kLeastPassesForError = 4;
 
 constexpr std::array<ModeName, 4> kModeNames{{
     {"path", Mode::path, "path tracing of the scene: the truth"},
@@ -144,9 +145,10 @@ bool Job::trace_pass() {
         const auto hit = first_hit(world_, camera_, x, y);
         if (!hit) return;
         const uint32_t seed = combined(combined(settings_.seed, x), y);
+        const PathVertex first = paths_.begin(*hit);
         for (uint32_t k = 0; k < kPathsPerPass; ++k) {
           Sampler sampler(seed, pass * kPathsPerPass + k);
-          const PathSample sample = paths_.sample(*hit, sampler, rays);
+          const PathSample sample = paths_.sample(first, sampler, rays);
           means_[i].diffuse += sample.diffuse / static_cast<float>(kPathsPerPass);
           means_[i].specular += sample.specular / static_cast<float>(kPathsPerPass);
         }
