@@ -40,22 +40,51 @@ void ScreenSum::begin_pass(uint32_t pass) {
   auto step = static_cast<uint32_t>(0.618034 * passes_) | 1u;
   while (std::gcd(step, passes_) != 1) ++step;
   const auto first = static_cast<size_t>((uint64_t{pass} * step + seed_) % passes_);
-  chosen_.clear();
-  for (size_t i = first; i < sources_.size(); i += passes_) chosen_.push_back(sources_[i]);
+  chosen_ = {};
+  size_t k = 0;
+  for (size_t i = first; i < sources_.size(); i += passes_, ++k) {
+    const Source& s = sources_[i];
+    chosen_.x[k] = s.position.x;
+    chosen_.y[k] = s.position.y;
+    chosen_.z[k] = s.position.z;
+    chosen_.normal_x[k] = s.normal.x;
+    chosen_.normal_y[k] = s.normal.y;
+    chosen_.normal_z[k] = s.normal.z;
+    chosen_.area_over_pi[k] = s.area_over_pi;
+    chosen_.red[k] = s.radiance.r;
+    chosen_.green[k] = s.radiance.g;
+    chosen_.blue[k] = s.radiance.b;
+  }
+}
+
+// Lanes of their own keep the order of additions the same however wide the machine adds.
+template <class Factor>
+glm::vec3 ScreenSum::sum(const Chosen& chosen, const FirstHit& receiver, Factor factor) {
+  constexpr uint32_t kLanes = 16;
+  const glm::vec3 position = receiver.surface.position, normal = receiver.surface.normal;
+  float red[kLanes] = {}, green[kLanes] = {}, blue[kLanes] = {};
+  for (uint32_t i = 0; i < kPixelsPerPass; i += kLanes) {
+    for (uint32_t lane = 0; lane < kLanes; ++lane) {
+      const uint32_t k = i + lane;
+      const float f = factor(glm::vec3(chosen.x[k], chosen.y[k], chosen.z[k]) - position, normal,
+                             glm::vec3(chosen.normal_x[k], chosen.normal_y[k], chosen.normal_z[k]),
+                             chosen.area_over_pi[k]);
+      red[lane] += f * chosen.red[k];
+      green[lane] += f * chosen.green[k];
+      blue[lane] += f * chosen.blue[k];
+    }
+  }
+  glm::vec3 total(0.0f);
+  for (uint32_t lane = 0; lane < kLanes; ++lane)
+    total += glm::vec3(red[lane], green[lane], blue[lane]);
+  return total;
 }
 
 glm::vec3 ScreenSum::at(const FirstHit& receiver) const {
-  const glm::vec3 position = receiver.surface.position, normal = receiver.surface.normal;
-  glm::vec3 sum(0.0f);
-  for (const Source& s : chosen_) {
-    const glm::vec3 to_patch = s.position - position;
-    const float factor =
-        form_factor_ == FormFactor::disc
-            ? disc_form_factor(to_patch, normal, s.normal, s.area_over_pi)    // HSSIL (4)
-            : point_form_factor(to_patch, normal, s.normal, s.area_over_pi);  // HSSIL (3)
-    sum += factor * s.radiance;
-  }
-  return sum * static_cast<float>(passes_);
+  const auto scale = static_cast<float>(passes_);
+  if (form_factor_ == FormFactor::disc)
+    return scale * sum(chosen_, receiver, [](auto... of) { return disc_form_factor(of...); });
+  return scale * sum(chosen_, receiver, [](auto... of) { return point_form_factor(of...); });
 }
 
 }  // namespace lueur::reference

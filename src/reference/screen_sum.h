@@ -34,8 +34,19 @@ class ScreenSum {
     float area_over_pi;
     glm::vec3 radiance;
   };
+  // The pixels of a pass, a row each, so that several are summed at once; the rest of the last ones
+  // are black.
+  struct Chosen {
+    alignas(64) float x[kPixelsPerPass], y[kPixelsPerPass], z[kPixelsPerPass];
+    float normal_x[kPixelsPerPass], normal_y[kPixelsPerPass], normal_z[kPixelsPerPass];
+    float area_over_pi[kPixelsPerPass];
+    float red[kPixelsPerPass], green[kPixelsPerPass], blue[kPixelsPerPass];
+  };
+  template <class Factor>
+  static glm::vec3 sum(const Chosen& chosen, const FirstHit& receiver, Factor factor);
+
   std::vector<Source> sources_;
-  std::vector<Source> chosen_;
+  Chosen chosen_{};
   uint32_t passes_ = 0;
   uint32_t seed_ = 0;
   FormFactor form_factor_;
