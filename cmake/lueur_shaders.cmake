@@ -18,7 +18,6 @@ function(lueur_shaders target)
   string(CONCAT source "// NOLINTBEGIN\n#include \"${folder}/shaders.h\"\n"
          "namespace lueur::shaders {\nnamespace {\n")
   set(definitions "}\n")
-  set(list "")
   foreach(file ${arg_FILES})
     string(MAKE_C_IDENTIFIER "${folder}_${file}" name)
     set(include ${output}/${file}.inc)
@@ -34,16 +33,9 @@ function(lueur_shaders target)
     string(APPEND header "extern const gpu::ShaderCode ${name};\n")
     string(APPEND source "constexpr uint32_t words_${name}[] =\n#include \"${folder}/${file}.inc\"\n;\n")
     string(APPEND definitions "const gpu::ShaderCode ${name}{\"${folder}/${file}\", words_${name}};\n")
-    string(APPEND list "  &${name},\n")
   endforeach()
-  string(MAKE_C_IDENTIFIER "${folder}" folder_name)
-  string(APPEND header "// All shaders of this folder.\n"
-                       "extern const std::span<const gpu::ShaderCode* const> all_${folder_name};\n"
-                       "}\n// NOLINTEND\n")
-  string(APPEND definitions
-         "namespace {\nconst gpu::ShaderCode* const list_${folder_name}[] = {\n${list}};\n}\n"
-         "const std::span<const gpu::ShaderCode* const> all_${folder_name}{list_${folder_name}};\n"
-         "}\n// NOLINTEND\n")
+  string(APPEND header "}\n// NOLINTEND\n")
+  string(APPEND definitions "}\n// NOLINTEND\n")
   file(CONFIGURE OUTPUT ${output}/shaders.h CONTENT "${header}" @ONLY)
   file(CONFIGURE OUTPUT ${output}/shaders.cpp CONTENT "${source}${definitions}" @ONLY)
   target_sources(${target} PRIVATE ${output}/shaders.cpp ${includes})
