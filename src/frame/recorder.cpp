@@ -14,8 +14,6 @@
 namespace lueur {
 namespace {
 
-// A pooled image that no frame wanted for this long gives its memory back.
-constexpr uint64_t kFramesUntilTrimmed = 16;
 constexpr uint64_t kChunkBytes = uint64_t{1} << 20;
 
 }  // namespace
@@ -43,6 +41,8 @@ void Recorder::begin(VkCommandBuffer command_buffer) {
   slot_ = slots_[frame_ % slots_.size()].get();
   commands_.emplace(command_buffer, device_->debug_names);
   error_.reset();
+  history_ = &histories_[options.history_of];
+  ++history_->frame;
   slot_->descriptors.reset();
   for (Slot::Chunk& chunk : slot_->chunks) chunk.used = 0;
   slot_->read_backs.clear();
@@ -98,10 +98,12 @@ Result<void> Recorder::finish() {
 
 // Frees what has not been used for a while. Indices of other images stay as they are.
 void Recorder::trim_pool() {
+  const uint64_t idle_frames = std::max<uint64_t>(options.idle_frames, slots_.size() - 1);
   for (auto& image : images_)
     if (image->texture.handle() && !image->in_use && !image->history &&
-        frame_ - image->last_frame > kFramesUntilTrimmed)
+        frame_ - image->last_frame > idle_frames)
       *image = PooledImage{};
+  std::erase_if(buffers_, [&](const auto& b) { return frame_ - b->last_frame > idle_frames; });
 }
 
 Image Recorder::handle_of(uint32_t index) const {
@@ -172,7 +174,8 @@ void Recorder::release(Image image) {
 
 HistoryImage Recorder::history(const std::string& name, Extent extent, Format format) {
   if (failed()) return {};
-  HistoryPair& pair = history_[name];
+  const uint64_t now = history_->frame;
+  HistoryPair& pair = history_->pairs[name];
   const bool known = pair.last_frame != 0;
   const bool same = known && handle_of(pair.images[0]).extent == extent &&
                     handle_of(pair.images[0]).format == format;
@@ -186,10 +189,10 @@ HistoryImage Recorder::history(const std::string& name, Extent extent, Format fo
     pair.last_frame = 0;
   }
   // The first call of a frame turns the pair over; later ones get the same answer.
-  if (pair.last_frame != frame_) {
-    pair.valid = pair.last_frame != 0 && pair.last_frame + 1 == frame_;
+  if (pair.last_frame != now) {
+    pair.valid = pair.last_frame != 0 && pair.last_frame + 1 == now;
     pair.current = 1 - pair.current;
-    pair.last_frame = frame_;
+    pair.last_frame = now;
     for (uint32_t index : pair.images) images_[index]->last_frame = frame_;
     // Last frame's content counts as written, so that it may be read now.
     images_[pair.images[1 - pair.current]]->written = pair.valid;
@@ -201,7 +204,7 @@ HistoryImage Recorder::history(const std::string& name, Extent extent, Format fo
 void Recorder::forget_history() {
   for (auto& image : images_)
     if (image->history) image->history = image->in_use = false;
-  history_.clear();
+  for (auto& [name, history] : histories_) history.pairs.clear();
 }
 
 Image Recorder::import(const ExternalImage& external) {
@@ -242,6 +245,7 @@ BufferRef Recorder::buffer(const char* name, uint64_t bytes) {
   for (auto& pooled_buffer : buffers_) {
     if (pooled_buffer->in_use || pooled_buffer->buffer.bytes() != bytes) continue;
     pooled_buffer->in_use = true;
+    pooled_buffer->last_frame = frame_;
     frame_buffers_.push_back({pooled_buffer->buffer.handle(), 0, bytes, &pooled_buffer->state});
     return {static_cast<uint32_t>(frame_buffers_.size() - 1)};
   }
@@ -258,6 +262,7 @@ BufferRef Recorder::buffer(const char* name, uint64_t bytes) {
   PooledBuffer& entry = *buffers_.back();
   entry.buffer = std::move(*created);
   entry.in_use = true;
+  entry.last_frame = frame_;
   frame_buffers_.push_back({entry.buffer.handle(), 0, bytes, &entry.state});
   return {static_cast<uint32_t>(frame_buffers_.size() - 1)};
 }

@@ -131,6 +131,12 @@ struct RecorderOptions {
   // Names "pass.image" whose content is to be captured; `*` stands for anything. A pattern without
   // an image name means all images of the pass.
   std::vector<std::string> watch;
+  // Whose frame this is. Each name has a history of its own, and the frames of other names in
+  // between do not end it: for several views or techniques that take turns.
+  std::string history_of;
+  // A pooled image or buffer that no frame wanted for this long gives its memory back. Never sooner
+  // than the device is done with it.
+  uint64_t idle_frames = 16;
 };
 
 class Recorder {
@@ -140,7 +146,7 @@ class Recorder {
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  RecorderOptions options;
+  RecorderOptions options;  // change them between frames
 
   void begin(VkCommandBuffer command_buffer);
   Result<void> finish();
@@ -149,10 +155,11 @@ class Recorder {
   Image image(const char* name, Extent extent, Format format);
   Image cube(const char* name, uint32_t side, Format format);
   void release(Image image);
-  // An image that outlives the frame, and what it held in the frame before. Both sides start
-  // invalid when the name is new or its extent or format has changed.
+  // An image that outlives the frame, and what it held in the frame before, of those of
+  // `options.history_of`. Both sides start invalid when the name is new or its extent or format has
+  // changed.
   HistoryImage history(const std::string& name, Extent extent, Format format);
-  void forget_history();
+  void forget_history();  // of all
   Image import(const ExternalImage& image);
   // Copies all of `from` to `to`, of the same extent and format.
   void copy(Image from, Image to);
@@ -217,6 +224,7 @@ class Recorder {
     gpu::Buffer buffer;
     gpu::AccessState state;
     bool in_use = false;
+    uint64_t last_frame = 0;
   };
   struct ReadBack {
     std::string name;
@@ -227,9 +235,13 @@ class Recorder {
   struct Slot;  // what belongs to one of the frames in flight
   struct HistoryPair {
     std::array<uint32_t, 2> images{};
-    uint64_t last_frame = 0;
+    uint64_t last_frame = 0;  // counted by its History
     uint32_t current = 0;
     bool valid = false;  // in last_frame
+  };
+  struct History {
+    uint64_t frame = 0;
+    std::map<std::string, HistoryPair> pairs;
   };
 
   explicit Recorder(const ContextInfo& info);
@@ -268,7 +280,8 @@ class Recorder {
   std::vector<std::unique_ptr<PooledImage>> images_;
   std::vector<std::unique_ptr<PooledBuffer>> buffers_;
   std::vector<FrameBuffer> frame_buffers_;
-  std::map<std::string, HistoryPair> history_;
+  std::map<std::string, History> histories_;
+  History* history_ = nullptr;  // of this frame
   std::vector<std::vector<Bound>> material_sets_;
   std::map<std::pair<const gpu::Pipeline*, uint32_t>, VkDescriptorSet> material_descriptor_sets_;
   std::vector<std::string> written_images_;

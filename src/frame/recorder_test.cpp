@@ -104,6 +104,16 @@ TEST_F(RecorderTest, IdleImagesGiveTheirMemoryBack) {
   // The place of a freed image serves the next one.
   run([&](Frame&) { recorder().image("large", {256, 256}, Format::rgba32f); });
   EXPECT_EQ(recorder().memory().total_bytes, held);
+
+  // How long is idle can be chosen, and buffers follow the same rule.
+  recorder().options.idle_frames = 100;
+  for (int i = 0; i < 30; ++i) run(nothing);
+  EXPECT_EQ(recorder().memory().total_bytes, held);
+  recorder().options.idle_frames = 0;
+  run([&](Frame&) { recorder().buffer("buffer", 4096); });
+  EXPECT_EQ(recorder().memory().total_bytes, empty + 4096);
+  run(nothing);
+  EXPECT_EQ(recorder().memory().total_bytes, empty);
 }
 
 TEST_F(RecorderTest, HistoryHoldsThePreviousFrame) {
@@ -129,6 +139,41 @@ TEST_F(RecorderTest, HistoryHoldsThePreviousFrame) {
   recorder().forget_history();
   count_up(false);
   expect_all("sum", 1.0f);
+}
+
+// Views that take turns, one of them in another size, each see their own past alone.
+TEST_F(RecorderTest, HistoriesInTurnDoNotMix) {
+  const auto count_up = [&](const std::string& of, Extent extent, float step) {
+    recorder().options.history_of = of;
+    bool valid = false;
+    run([&](Frame&) {
+      const HistoryImage h = recorder().history("sum", extent, Format::rgba32f);
+      valid = h.valid;
+      copy("test.count", h.valid ? h.previous : constant("zero", extent, 0.0f), h.current, step);
+      recorder().read_back("sum", h.current);
+    });
+    return valid;
+  };
+  uint64_t held = 0;
+  for (int round = 1; round <= 3; ++round) {
+    EXPECT_EQ(count_up("a", kSmall, 1.0f), round > 1);
+    expect_all("sum", static_cast<float>(round));
+    EXPECT_EQ(count_up("b", kSmall, 10.0f), round > 1);
+    expect_all("sum", static_cast<float>(10 * round));
+    EXPECT_EQ(count_up("c", {8, 8}, 100.0f), round > 1);
+    expect_all("sum", static_cast<float>(100 * round));
+    if (round == 1) held = recorder().memory().total_bytes;
+  }
+  // Another size in between allocates nothing anew.
+  EXPECT_EQ(recorder().memory().total_bytes, held);
+  // One's own frame without it still ends it, for this one alone.
+  recorder().options.history_of = "a";
+  run([](Frame&) {});
+  EXPECT_FALSE(count_up("a", kSmall, 1.0f));
+  EXPECT_TRUE(count_up("b", kSmall, 10.0f));
+  recorder().forget_history();
+  EXPECT_FALSE(count_up("a", kSmall, 1.0f));
+  EXPECT_FALSE(count_up("b", kSmall, 10.0f));
 }
 
 TEST_F(RecorderTest, HistoryOfOtherExtentOrFormatStartsAnew) {
