@@ -164,6 +164,20 @@ TEST_F(Cli, UsageErrorsAreOneLine) {
   expect_error(2, {"bench", "--frames", "0"}, "--frames");
   expect_error(2, {"bench", "--triangles", "10000,many"}, "--triangles");
   expect_error(2, {"bench", "--scene", "cornell", "--triangles", "10000"}, "--triangles");
+  for (const char* list : {"", "magic", "none,", "none,none", "none:samples=8", "hierarchical:",
+                           "hierarchical:samples=0", "none,hierarchical:nothing=1"})
+    expect_error(2, {"bench", "--techniques", list}, "--techniques '");
+  expect_error(2, {"bench", "--techniques", "none", "--set", "samples=8"}, "--techniques");
+  for (const char* scale : {"", "radius", "start=full", "samples=0", "samples=8,8", "samples=8,",
+                            "pixels=12", "triangles=many", "nothing=1"})
+    expect_error(2, {"bench", "--scale", scale}, "--scale");
+  expect_error(2, {"bench", "--scene", "cornell", "--scale", "triangles"}, "--scale");
+  expect_error(2, {"bench", "--technique", "none", "--scale", "samples"}, "none");
+  expect_error(2, {"bench", "--scale", "samples", "--triangles", "10000"}, "--triangles");
+  expect_error(2,
+               {"bench", "--size", "8x8", "--scene", "cornell", "--techniques",
+                "hierarchical:levels=2:only_level=3"},
+               "only_level=3");
   EXPECT_FALSE(fs::exists(folder_ / "x.png"));
 }
 
@@ -391,7 +405,19 @@ TEST_F(Cli, BenchReport) {
   ASSERT_TRUE(json.is_object());
   EXPECT_EQ(json["frames"], 2);
   EXPECT_GT(json["technique_ms"].get<double>(), 0.0);
-  EXPECT_GT(json["wall_ms"].get<double>(), 0.0);
+  EXPECT_EQ(json["size"], nlohmann::json::array({70, 37}));
+  EXPECT_EQ(json["settings"]["levels"], 2);
+  for (const char* key : {"technique_ms", "frame_ms", "wall_ms", "cpu_ms"}) {
+    const auto spread = json[std::string(key) + "_spread"];
+    EXPECT_GT(spread["least"].get<double>(), 0.0) << key;
+    EXPECT_LE(spread["least"], spread["lower_quartile"]) << key;
+    EXPECT_LE(spread["lower_quartile"], json[key]) << key;
+    EXPECT_LE(json[key], spread["upper_quartile"]) << key;
+    EXPECT_LE(spread["upper_quartile"], spread["most"]) << key;
+  }
+  EXPECT_GT(json["technique_memory_bytes"].get<uint64_t>(), 70u * 37 * 8);  // its output alone
+  EXPECT_GT(json["memory_bytes"], json["technique_memory_bytes"]);
+  EXPECT_GE(json["peak_memory_bytes"], json["memory_bytes"]);
   uint64_t samples[2] = {};
   for (const auto& pass : json["passes"])
     for (int level = 0; level < 2; ++level)
@@ -399,6 +425,87 @@ TEST_F(Cli, BenchReport) {
         samples[level] = pass["samples"];
   EXPECT_EQ(samples[0], 35u * 19 * 8);
   EXPECT_EQ(samples[1], 18u * 10 * 8);
+}
+
+TEST_F(Cli, BenchOfSeveralTechniques) {
+  const Arguments command = {
+      "bench",  "--scene",      "cornell",
+      "--size", "64x36",        "--frames",
+      "1",      "--techniques", "hierarchical:levels=2,none,hierarchical:levels=1:start=full"};
+  Arguments with_json = command;
+  with_json.emplace_back("--json");
+  const Ended ended = run(with_json);
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto json = nlohmann::json::parse(ended.out, nullptr, false);
+  ASSERT_TRUE(json.is_object());
+  EXPECT_FALSE(json.contains("technique"));  // the runs differ
+  const auto& runs = json["runs"];
+  ASSERT_EQ(runs.size(), 3u);
+  EXPECT_EQ(runs[0]["label"], "hierarchical:levels=2");
+  EXPECT_EQ(runs[0]["technique_ratio"], 1.0);
+  EXPECT_EQ(runs[0]["frame_ratio"], 1.0);
+  EXPECT_EQ(runs[1]["technique"], "none");
+  EXPECT_EQ(runs[1]["technique_ratio"], 0.0);
+  EXPECT_EQ(runs[1]["technique_memory_bytes"], 0);
+  EXPECT_EQ(runs[2]["settings"]["levels"], 1);
+  EXPECT_EQ(runs[2]["settings"]["start"], "full");
+  EXPECT_GT(runs[2]["technique_ratio"].get<double>(), 0.0);
+  EXPECT_GE(json["technique_ms_max_over_min"].get<double>(), 1.0);
+
+  const Ended text = run(command);
+  ASSERT_EQ(text.code, 0) << text.err;
+  size_t width = 0;
+  for (size_t at = 0, end = 0; (end = text.out.find('\n', at)) != std::string::npos; at = end + 1)
+    width = std::max(width, end - at);
+  EXPECT_LE(width, 100u) << text.out;
+}
+
+TEST_F(Cli, BenchScales) {
+  const Arguments command = {"bench", "--scene", "cornell", "--size", "64x36", "--frames", "1"};
+  const auto bench = [&](const Arguments& more) {
+    Arguments arguments = command;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = run(arguments);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    return ended.out;
+  };
+  const auto json =
+      nlohmann::json::parse(bench({"--techniques", "hierarchical:levels=2,hierarchical:levels=3",
+                                   "--scale", "pixels=32x18,64x36,128x72", "--json"}),
+                            nullptr, false);
+  ASSERT_TRUE(json.is_object());
+  ASSERT_EQ(json["runs"].size(), 6u);
+  EXPECT_EQ(json["runs"][5]["size"], nlohmann::json::array({128, 72}));
+  EXPECT_EQ(json["runs"][5]["settings"]["levels"], 3);
+  EXPECT_EQ(json["scale"]["of"], "pixels");
+  const auto& series = json["scale"]["series"];
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[1]["technique"], "hierarchical:levels=3");
+  EXPECT_EQ(series[1]["first_run"], 3);
+  EXPECT_EQ(series[1]["values"], nlohmann::json::array({32.0 * 18, 64.0 * 36, 128.0 * 72}));
+  for (const char* group : {"technique", "all passes", "hierarchical.gather", "renderer.light"}) {
+    const auto& fits = series[0]["fits"];
+    const auto fit =
+        std::find_if(fits.begin(), fits.end(), [&](const auto& f) { return f["group"] == group; });
+    ASSERT_NE(fit, fits.end()) << group;
+    for (const char* key : {"exponent", "exponent_error", "r_squared", "constant_ms"})
+      EXPECT_TRUE((*fit)[key].is_number()) << group << " " << key;
+  }
+
+  const std::string text = bench({"--scale", "samples=8,16"});
+  EXPECT_NE(text.find("exponent"), std::string::npos) << text;
+  EXPECT_NE(text.find("hierarchical.gather"), std::string::npos) << text;
+  // One value has no exponent, and --triangles is a scale like any other.
+  EXPECT_FALSE(nlohmann::json::parse(bench({"--scale", "samples=8", "--json"})).contains("scale"));
+  const auto triangles = nlohmann::json::parse(
+      run({"bench", "--size", "64x36", "--frames", "1", "--triangles", "10000,20000", "--json"})
+          .out,
+      nullptr, false);
+  EXPECT_EQ(triangles["technique"], "hierarchical");
+  EXPECT_EQ(triangles["runs"][1]["scene"], "atrium:triangles=20000");
+  EXPECT_EQ(triangles["scale"]["of"], "triangles");
+  // Met within 10 %.
+  EXPECT_NEAR(triangles["scale"]["series"][0]["values"][1].get<double>(), 20000.0, 2000.0);
 }
 
 }  // namespace

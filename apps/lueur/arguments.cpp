@@ -26,7 +26,7 @@ Error refuse(std::string_view flag, std::string_view text, const std::string& ex
 
 }  // namespace
 
-Result<Extent> parse_size(std::string_view text) {
+Result<Extent> parse_size(std::string_view flag, std::string_view text) {
   const size_t cross = text.find('x');
   if (cross != std::string_view::npos) {
     const auto width = number<uint32_t>(text.substr(0, cross));
@@ -35,7 +35,7 @@ Result<Extent> parse_size(std::string_view text) {
     if (width && height && fits(*width) && fits(*height)) return Extent{*width, *height};
   }
   return refuse(
-      "--size", text,
+      flag, text,
       "WIDTHxHEIGHT in pixels, each from 1 to " + std::to_string(kMaxSide) + ", such as 1280x720");
 }
 
@@ -75,6 +75,16 @@ Result<Assignment> parse_assignment(std::string_view flag, std::string_view text
   if (equals == std::string_view::npos || equals == 0)
     return refuse(flag, text, "key=value, such as samples=32");
   return Assignment{std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+}
+
+std::vector<std::string> split(std::string_view text, char separator) {
+  std::vector<std::string> parts;
+  for (size_t end = 0; end != std::string_view::npos;) {
+    end = text.find(separator);
+    parts.emplace_back(text.substr(0, end));
+    if (end != std::string_view::npos) text.remove_prefix(end + 1);
+  }
+  return parts;
 }
 
 std::string joined(const std::vector<std::string>& words) {

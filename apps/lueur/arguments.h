@@ -18,7 +18,7 @@ namespace lueur::cli {
 inline constexpr uint32_t kMaxSide = 16384;  // pixels
 
 // "1280x720"; each side from 1 to kMaxSide.
-Result<Extent> parse_size(std::string_view text);
+Result<Extent> parse_size(std::string_view flag, std::string_view text);
 
 // A whole number in [min, max].
 Result<uint32_t> parse_count(std::string_view flag, std::string_view text, uint32_t min,
@@ -38,6 +38,9 @@ struct Assignment {
   std::string value;
 };
 Result<Assignment> parse_assignment(std::string_view flag, std::string_view text);
+
+// The parts of "a,b,c"; one more than there are separators, so "" has one.
+std::vector<std::string> split(std::string_view text, char separator);
 
 // "a, b, c"
 std::string joined(const std::vector<std::string>& words);

@@ -7,6 +7,7 @@
 #include "base/try.h"
 #include "commands.h"
 #include "console.h"
+#include "frame_options.h"
 #include "render_job.h"
 
 namespace lueur::cli {
@@ -16,18 +17,14 @@ namespace {
 struct Options {
   std::string scene;
   std::vector<std::string> outputs;
-  std::string technique = "hierarchical";
-  std::vector<std::string> settings;
-  std::string size = "1280x720";
-  std::string camera;
+  TechniqueOptions technique;
+  FrameOptions frame;
   std::string exposure;
   std::string time_s = "0";
-  std::string seed = "0";
   std::string tone_map = "khronos-neutral";
   std::string view;
   std::vector<std::string> dump;
   std::string dump_to;
-  std::string device;
   bool json = false;
   bool list_views = false;
   bool scan = false;
@@ -37,11 +34,11 @@ struct Options {
 Result<RenderJob> check(const Options& options) {
   RenderJob job;
   job.scene = options.scene;
-  job.camera = options.camera;
+  job.camera = options.frame.camera;
   job.view = options.view;
   job.dump = options.dump;
   job.dump_to = options.dump_to;
-  job.device = options.device;
+  job.device = options.frame.device;
   job.json = options.json;
   job.list_views = options.list_views;
   job.scan = options.scan;
@@ -52,12 +49,11 @@ Result<RenderJob> check(const Options& options) {
     return Error{ErrorKind::usage, "render: nothing to do; name a picture with -o FILE.png"};
   if (!options.view.empty() && options.outputs.empty())
     return Error{ErrorKind::usage, "--view " + options.view + " needs a file; add -o FILE.png"};
-  LUEUR_TRY(size, parse_size(options.size));
-  job.size = size;
+  LUEUR_TRY(setup, check(options.frame));
+  job.size = setup.size;
+  job.seed = setup.seed;
   LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
   job.time_s = time_s;
-  LUEUR_TRY(seed, parse_count("--seed", options.seed, 0, UINT32_MAX));
-  job.seed = seed;
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
   job.tone_map = tone_map;
   job.tone_map_name = options.tone_map;
@@ -66,9 +62,9 @@ Result<RenderJob> check(const Options& options) {
     LUEUR_TRY(exposure_ev, parse_exposure(options.exposure));
     job.exposure_ev = exposure_ev;
   }
-  LUEUR_TRY(technique, choose_technique(options.technique, options.settings));
+  LUEUR_TRY(technique, choose_technique(options.technique.name, options.technique.settings));
   job.technique = std::move(technique);
-  LUEUR_TRY(destinations, check_destinations(options.outputs, size));
+  LUEUR_TRY(destinations, check_destinations(options.outputs, setup.size));
   job.destinations = destinations;
   if (!job.dump_to.empty()) LUEUR_TRY_VOID(make_folder(job.dump_to));
   return job;
@@ -106,12 +102,8 @@ constexpr char kFooter[] =
     "  lueur render room.glb --scan --validate\n";
 
 void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options) {
-  command->add_option("--size", options->size, "In pixels (default 1280x720)")->type_name("WxH");
-  command->add_option("--camera", options->camera, "A camera's name or number (default: first)")
-      ->type_name("NAME|N");
   command->add_option("--time", options->time_s, "Seconds into the animation (default 0)")
       ->type_name("SECONDS");
-  command->add_option("--seed", options->seed, "Pattern of samples (default 0)")->type_name("N");
   command->add_option("--exposure", options->exposure, "Stops to add, or auto")
       ->type_name("EV|auto");
   std::vector<std::string> curves;
@@ -148,23 +140,14 @@ void add_inspection_options(CLI::App* command, const std::shared_ptr<Options>& o
 void add_render(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene");
   auto options = std::make_shared<Options>();
-  command->add_option("SCENE", options->scene, "A built-in scene or a glTF file")
-      ->type_name("")
-      ->required();
+  add_scene_argument(*command, options->scene);
   command->add_option("-o,--output", options->outputs, "Picture, .png or .exr; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command
-      ->add_option("--technique", options->technique,
-                   "Of `lueur techniques`, or none (default hierarchical)")
-      ->type_name("NAME");
-  command->add_option("--set", options->settings, "A setting of the technique; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->allow_extra_args(false);
+  add_technique_options(*command, options->technique);
+  add_frame_options(*command, options->frame);
   add_look_options(command, options);
   add_inspection_options(command, options);
-  command->add_option("--device", options->device, "Number or name, see `lueur devices`")
-      ->type_name("N|NAME");
   command->footer(std::string(kFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }

@@ -10,6 +10,7 @@
 #include "commands.h"
 #include "console.h"
 #include "destination.h"
+#include "frame_options.h"
 #include "json_output.h"
 #include "scene/builtin/builtin.h"
 #include "scene/gltf_export.h"
@@ -175,11 +176,6 @@ void add_scene(CLI::App& program, Outcome& outcome) {
   const auto add_json = [&](CLI::App* sub) {
     sub->add_flag("--json", options->json, "One JSON object on stdout");
   };
-  const auto add_scene_name = [&](CLI::App* sub) {
-    sub->add_option("SCENE", options->scene, "A built-in scene or a glTF file")
-        ->type_name("")
-        ->required();
-  };
 
   CLI::App* list = command->add_subcommand("list", "List the built-in scenes");
   add_json(list);
@@ -187,7 +183,7 @@ void add_scene(CLI::App& program, Outcome& outcome) {
   list->callback([options, &outcome] { outcome = run_list(*options); });
 
   CLI::App* info = command->add_subcommand("info", "Say what is in a scene");
-  add_scene_name(info);
+  add_scene_argument(*info, options->scene);
   add_json(info);
   info->footer(std::string("Examples:\n  lueur scene info cornell\n"
                            "  lueur scene info room.glb --json\n") +
@@ -195,7 +191,7 @@ void add_scene(CLI::App& program, Outcome& outcome) {
   info->callback([options, &outcome] { outcome = run_info(*options); });
 
   CLI::App* out = command->add_subcommand("export", "Write a scene as a binary glTF file");
-  add_scene_name(out);
+  add_scene_argument(*out, options->scene);
   out->add_option("-o,--output", options->output, "Ends in .glb")->type_name("FILE")->required();
   out->footer(std::string("Examples:\n"
                           "  lueur scene export atrium:triangles=250000 -o atrium.glb\n") +

@@ -55,7 +55,7 @@ double as_printed(float value) {
 }
 
 double rounded_ms(double ms) {
-  return std::round(ms * 1e6) * 1e-6;
+  return std::round(ms * 1e6) / 1e6;
 }
 
 Json passes_json(const std::vector<PassTime>& passes) {

@@ -11,6 +11,7 @@
 #include "json_output.h"
 #include "picture.h"
 #include "render_output.h"
+#include "session.h"
 
 namespace lueur::cli {
 namespace {

@@ -9,7 +9,7 @@
 #include "commands.h"
 #include "destination.h"
 #include "image/tone_map.h"
-#include "session.h"
+#include "technique_list.h"
 
 namespace lueur::cli {
 

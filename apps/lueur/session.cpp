@@ -111,31 +111,6 @@ Result<int32_t> find_camera(const Scene& scene, const std::string& text) {
                "--camera '" + text + "': the scene has the cameras " + joined(list)};
 }
 
-Result<ChosenTechnique> choose_technique(const std::string& name,
-                                         const std::vector<std::string>& settings) {
-  ChosenTechnique chosen;
-  if (name == "none") {
-    if (!settings.empty())
-      return Error{ErrorKind::usage, "--set " + settings.front() +
-                                         ": --technique none has no settings; leave --set out"};
-    return chosen;
-  }
-  chosen.info = find_technique(name);
-  if (!chosen.info) {
-    std::vector<std::string> names = {"none"};
-    for (const TechniqueInfo& info : techniques()) names.emplace_back(info.name);
-    return Error{ErrorKind::usage, "--technique '" + name + "': expected one of " + joined(names)};
-  }
-  chosen.technique = chosen.info->make();
-  for (const std::string& text : settings) {
-    LUEUR_TRY(assignment, parse_assignment("--set", text));
-    const auto set = set_from_text(chosen.info->settings, chosen.technique->settings(),
-                                   assignment.key, assignment.value);
-    if (!set.ok()) return Error{set.error().kind, "--set " + set.error().message};
-  }
-  return chosen;
-}
-
 Result<Session> open_session(const gpu::SystemInfo& info) {
   LUEUR_TRY(system, gpu::System::create(info));
   ContextInfo context_info = system->context_info();

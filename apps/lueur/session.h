@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What render and bench share: a scene, a device, a technique, and one frame of them.
+// What render and bench share: a scene, a device, and one frame of them.
 #pragma once
 
 #include <memory>
@@ -27,16 +27,6 @@ Result<LoadedScene> load_scene(const std::string& spec);
 
 // A camera's number or its name; the first one for "". The error lists the cameras.
 Result<int32_t> find_camera(const Scene& scene, const std::string& text);
-
-struct ChosenTechnique {
-  const TechniqueInfo* info = nullptr;  // nullptr: direct light only
-  std::unique_ptr<Technique> technique;
-  std::string name() const { return info ? std::string(info->name) : "none"; }
-};
-
-// `settings` are "key=value" texts as they came with --set.
-Result<ChosenTechnique> choose_technique(const std::string& name,
-                                         const std::vector<std::string>& settings);
 
 struct Session {
   std::unique_ptr<gpu::System> system;

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// Candidates that take turns on one device must not see each other.
+#include "candidate.h"
+
+#include <gtest/gtest.h>
+
+#include "timing.h"
+
+namespace lueur::cli {
+namespace {
+
+constexpr Extent kSize{64, 36};
+
+// Writes an image that it wants back in the next frame, and notes whether it came.
+class Remembering final : public Technique {
+ public:
+  Outputs render(Frame& frame, const Inputs& inputs) override {
+    Recorder& recorder = frame.recorder();
+    const Extent extent = inputs.g_buffer.depth.extent;
+    const HistoryImage h = recorder.history("remembered", extent, Format::rgba16f);
+    const std::vector<uint16_t> halves(size_t{extent.width} * extent.height * 4);
+    recorder.copy(recorder.upload_image("new", extent, Format::rgba16f, halves.data()), h.current);
+    remembered.push_back(h.valid);
+    return {};
+  }
+  void* settings() override { return nullptr; }
+  std::vector<bool> remembered;
+};
+
+class CandidateTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    auto system = gpu::System::create({.validation = true});
+    ASSERT_TRUE(system.ok()) << system.error().message;
+    ContextInfo info = (*system)->context_info();
+    info.frames_in_flight = 1;
+    info.timers = true;
+    auto context = Context::create(info);
+    ASSERT_TRUE(context.ok()) << context.error().message;
+    session_.emplace(Session{std::move(*system), std::move(*context)});
+  }
+  void TearDown() override {
+    candidates_.clear();
+    if (!session_) return;
+    for (const std::string& message : session_->system->validation_messages())
+      ADD_FAILURE() << "validation: " << message;
+  }
+
+  void make(std::vector<CandidateRequest> requests) {
+    candidates_.clear();
+    auto made = make_candidates(*session_, std::move(requests), "", 0);
+    ASSERT_TRUE(made.ok()) << made.error().message;
+    candidates_ = std::move(*made);
+  }
+  static CandidateRequest request(const std::string& technique,
+                                  const std::vector<std::string>& settings = {},
+                                  Extent size = kSize) {
+    auto chosen = choose_technique(technique, settings);
+    EXPECT_TRUE(chosen.ok());
+    const std::string label = chosen->label + " " + std::to_string(size.width);
+    return {label, "cornell", size, std::move(*chosen)};
+  }
+  std::vector<float> picture(size_t candidate) {
+    auto frame = render_candidate(*session_, candidates_[candidate], {"composed"});
+    EXPECT_TRUE(frame.ok());
+    return frame.ok() ? frame->pixels.at(0).samples : std::vector<float>();
+  }
+
+  std::optional<Session> session_;
+  std::vector<Candidate> candidates_;
+};
+
+TEST_F(CandidateTest, TurnsDoNotChangeThePictures) {
+  const auto requests = [] {
+    std::vector<CandidateRequest> all;
+    all.push_back(request("hierarchical"));
+    all.push_back(request("none"));
+    all.push_back(request("hierarchical", {"samples=8", "start=full"}));
+    all.push_back(request("hierarchical", {}, {37, 61}));
+    return all;
+  };
+  std::vector<std::vector<float>> alone;
+  for (size_t i = 0; i < requests().size(); ++i) {
+    std::vector<CandidateRequest> one;
+    one.push_back(std::move(requests()[i]));
+    make(std::move(one));
+    alone.push_back(picture(0));
+  }
+  make(requests());
+  for (int round = 0; round < 2; ++round)
+    for (size_t i = 0; i < candidates_.size(); ++i)
+      EXPECT_EQ(picture(i), alone[i]) << candidates_[i].label << ", round " << round;
+  // All show one scene, which is on the device once.
+  for (const Candidate& candidate : candidates_) EXPECT_EQ(candidate.scene, candidates_[0].scene);
+}
+
+TEST_F(CandidateTest, EachRemembersItsOwnLastFrame) {
+  std::vector<CandidateRequest> requests;
+  requests.push_back(request("none"));
+  requests.push_back(request("none", {}, {37, 61}));
+  make(std::move(requests));
+  std::vector<Remembering*> techniques;
+  for (Candidate& candidate : candidates_) {
+    auto technique = std::make_unique<Remembering>();
+    techniques.push_back(technique.get());
+    candidate.technique.technique = std::move(technique);
+  }
+  ASSERT_TRUE(time_in_turn(*session_, candidates_, 2).ok());
+  std::vector<bool> expected(kWarmUpFrames + 2, true);
+  expected[0] = false;  // nothing to remember yet
+  for (const Remembering* technique : techniques) EXPECT_EQ(technique->remembered, expected);
+}
+
+TEST_F(CandidateTest, MemoryIsTheCandidatesOwn) {
+  const auto two = [](bool turned) {
+    std::vector<CandidateRequest> all;
+    all.push_back(request("hierarchical", {}, {256, 128}));
+    all.push_back(request("none", {}, {256, 128}));
+    all.push_back(request("hierarchical", {"start=full"}, {256, 128}));
+    if (turned) std::swap(all[0], all[2]);
+    return all;
+  };
+  make(two(false));
+  // The technique's header: about 21 bytes a pixel at half start. Small levels are padded.
+  const double bytes_per_pixel =
+      static_cast<double>(candidates_[0].memory.technique) / (256.0 * 128.0);
+  EXPECT_NEAR(bytes_per_pixel, 21.0, 4.0);
+  EXPECT_EQ(candidates_[1].memory.technique, 0u);
+  EXPECT_GT(candidates_[2].memory.technique, candidates_[0].memory.technique);
+  for (const Candidate& candidate : candidates_)
+    EXPECT_EQ(candidate.memory.total - candidate.memory.technique, candidates_[1].memory.total);
+  EXPECT_GT(candidates_[1].memory.total, candidates_[1].scene->bytes);
+
+  // Who came before does not count.
+  const CandidateMemory half = candidates_[0].memory, full = candidates_[2].memory;
+  make(two(true));
+  EXPECT_EQ(candidates_[0].memory.technique, full.technique);
+  EXPECT_EQ(candidates_[0].memory.total, full.total);
+  EXPECT_EQ(candidates_[2].memory.technique, half.technique);
+  EXPECT_EQ(candidates_[2].memory.total, half.total);
+
+  // In turn, nothing is allocated.
+  ASSERT_TRUE(time_in_turn(*session_, candidates_, 1).ok());
+  const uint64_t held = session_->context.memory().total_bytes;
+  ASSERT_TRUE(time_in_turn(*session_, candidates_, 20).ok());
+  EXPECT_EQ(session_->context.memory().total_bytes, held);
+}
+
+}  // namespace
+}  // namespace lueur::cli

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "frame_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "arguments.h"
+#include "base/try.h"
+
+namespace lueur::cli {
+
+void add_frame_options(CLI::App& command, FrameOptions& options) {
+  command.add_option("--size", options.size, "In pixels (default 1280x720)")->type_name("WxH");
+  command.add_option("--camera", options.camera, "A camera's name or number (default: first)")
+      ->type_name("NAME|N");
+  command.add_option("--seed", options.seed, "Pattern of samples (default 0)")->type_name("N");
+  command.add_option("--device", options.device, "Number or name, see `lueur devices`")
+      ->type_name("N|NAME");
+}
+
+void add_technique_options(CLI::App& command, TechniqueOptions& options) {
+  command
+      .add_option("--technique", options.name,
+                  "Of `lueur techniques`, or none (default hierarchical)")
+      ->type_name("NAME");
+  command.add_option("--set", options.settings, "A setting of the technique; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_scene_argument(CLI::App& command, std::string& scene) {
+  command.add_option("SCENE", scene, "A built-in scene or a glTF file")->type_name("")->required();
+}
+
+Result<FrameSetup> check(const FrameOptions& options) {
+  LUEUR_TRY(size, parse_size("--size", options.size));
+  LUEUR_TRY(seed, parse_count("--seed", options.seed, 0, UINT32_MAX));
+  return FrameSetup{size, seed};
+}
+
+}  // namespace lueur::cli

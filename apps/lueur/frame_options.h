@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Options that several commands take, each with one name, one default and one line of help.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lueur/image.h"
+#include "lueur/result.h"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
+class App;
+}
+
+namespace lueur::cli {
+
+// What was typed, before it is checked. The options write into it when the command line is read.
+struct FrameOptions {
+  std::string size = "1280x720";
+  std::string camera;
+  std::string seed = "0";
+  std::string device;
+};
+struct TechniqueOptions {
+  std::string name = "hierarchical";
+  std::vector<std::string> settings;
+};
+
+// --size, --camera, --seed, --device.
+void add_frame_options(CLI::App& command, FrameOptions& options);
+
+// --technique, --set; choose_technique() checks them.
+void add_technique_options(CLI::App& command, TechniqueOptions& options);
+
+// The positional argument SCENE, which is required.
+void add_scene_argument(CLI::App& command, std::string& scene);
+
+struct FrameSetup {
+  Extent size;
+  uint32_t seed = 0;
+};
+Result<FrameSetup> check(const FrameOptions& options);
+
+}  // namespace lueur::cli

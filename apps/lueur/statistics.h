@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// From many times to a few numbers, and from a series of them to a law. Pure functions.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace lueur::cli {
+
+// Where the values lie. Quartiles are interpolated between neighbours, as the median is.
+struct Distribution {
+  double least = 0;
+  double lower_quartile = 0;
+  double median = 0;
+  double upper_quartile = 0;
+  double most = 0;
+};
+
+// Of at least one value.
+Distribution distribution(std::vector<double> values);
+
+// y = factor * x^exponent, by least squares of log y on log x.
+struct PowerLaw {
+  double factor = 0;
+  double exponent = 0;
+  std::optional<double> exponent_error;  // standard error; none for two points
+  std::optional<double> r_squared;       // of log y; none where y does not vary
+};
+
+// y = constant + slope * x, by least squares.
+struct Line {
+  double constant = 0;
+  double slope = 0;
+  std::optional<double> slope_error;
+  std::optional<double> r_squared;
+};
+
+// None with fewer than two different x, and for a power law where an x or y is not positive. Both
+// spans are of one length.
+std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const double> y);
+std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);
+
+}  // namespace lueur::cli

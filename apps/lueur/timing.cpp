@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "timing.h"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "base/check.h"
+#include "base/try.h"
+
+namespace lueur::cli {
+namespace {
+
+using Frames = std::vector<FrameTimes>;
+
+double process_cpu_ms() {
+  timespec now{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
+}
+
+Result<FrameTimes> time_frame(Session& session, Candidate& candidate) {
+  FrameTimes times;
+  const double cpu_start_ms = process_cpu_ms();
+  const auto start = std::chrono::steady_clock::now();
+  LUEUR_TRY(record, render_candidate(session, candidate, {}));
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+  times.wall_ms = taken.count();
+  times.cpu_ms = process_cpu_ms() - cpu_start_ms;
+  times.passes = std::move(record.passes);
+  return times;
+}
+
+// Over the frames, what `of` takes from each.
+template <class Of>
+Distribution over(const Frames& frames, Of of) {
+  std::vector<double> values;
+  values.reserve(frames.size());
+  for (const FrameTimes& frame : frames) values.push_back(of(frame));
+  return distribution(std::move(values));
+}
+
+// The same with `ms_of`, a GPU time, as a share of the frame's CPU time.
+template <class MsOf>
+double cpu_share(const Frames& frames, MsOf ms_of) {
+  return over(frames, [&](const FrameTimes& f) { return ms_of(f) * f.cpu_ms / f.wall_ms; }).median;
+}
+
+template <class MsOf>
+PassSummary row(const std::string& name, const Frames& frames, MsOf ms_of) {
+  return {name, over(frames, ms_of), cpu_share(frames, ms_of), {}};
+}
+
+double technique_ms(const FrameTimes& frame, const Candidate& candidate) {
+  return candidate.technique.info ? total_ms(frame.passes, candidate.technique.name() + ".") : 0.0;
+}
+
+double frame_ms(const FrameTimes& frame) {
+  return total_ms(frame.passes, "");
+}
+
+// The passes for which `belongs` holds, added up.
+template <class Belongs>
+PassSummary sum_of(const std::string& name, const Frames& frames, Belongs belongs) {
+  return row(name, frames, [&](const FrameTimes& frame) {
+    double ms = 0;
+    for (const PassTime& pass : frame.passes)
+      if (belongs(pass.name)) ms += pass.gpu_ms;
+    return ms;
+  });
+}
+
+// All frames of a candidate have the same passes, each name once.
+void summarize_passes(const Frames& frames, const Candidate& candidate, Summary& summary) {
+  for (const PassTime& pass : frames.front().passes) {
+    summary.passes.push_back(
+        sum_of(pass.name, frames, [&](const std::string& name) { return name == pass.name; }));
+    summary.passes.back().samples = samples_of(pass.name, candidate);
+    const std::string group = group_of(pass.name);
+    const bool known = std::any_of(summary.groups.begin(), summary.groups.end(),
+                                   [&](const PassSummary& g) { return g.name == group; });
+    if (!known)
+      summary.groups.push_back(
+          sum_of(group, frames, [&](const std::string& name) { return group_of(name) == group; }));
+  }
+}
+
+// Median over the rounds; none where the first candidate takes no time.
+template <class MsOf, class FirstMsOf>
+std::optional<double> ratio(const Frames& frames, const Frames& first, MsOf ms_of,
+                            FirstMsOf first_ms_of) {
+  std::vector<double> ratios;
+  for (size_t round = 0; round < frames.size(); ++round) {
+    const double first_ms = first_ms_of(first[round]);
+    if (!(first_ms > 0.0)) return std::nullopt;
+    ratios.push_back(ms_of(frames[round]) / first_ms);
+  }
+  return distribution(std::move(ratios)).median;
+}
+
+}  // namespace
+
+Result<Rounds> time_in_turn(Session& session, std::span<Candidate> candidates, uint32_t rounds) {
+  Rounds times(candidates.size());
+  for (uint32_t round = 0; round < kWarmUpFrames + rounds; ++round) {
+    for (size_t i = 0; i < candidates.size(); ++i) {
+      LUEUR_TRY(taken, time_frame(session, candidates[i]));
+      if (round >= kWarmUpFrames) times[i].push_back(std::move(taken));
+    }
+  }
+  return times;
+}
+
+std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> candidates) {
+  LUEUR_CHECK(rounds.size() == candidates.size());
+  std::vector<Summary> summaries;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    const Frames& frames = rounds[i];
+    const auto of_technique = [&](const FrameTimes& f) { return technique_ms(f, candidates[i]); };
+    Summary summary;
+    summarize_passes(frames, candidates[i], summary);
+    summary.technique_ms = over(frames, of_technique);
+    summary.technique_cpu_ms = cpu_share(frames, of_technique);
+    summary.frame_ms = over(frames, frame_ms);
+    summary.wall_ms = over(frames, [](const FrameTimes& f) { return f.wall_ms; });
+    summary.cpu_ms = over(frames, [](const FrameTimes& f) { return f.cpu_ms; });
+    const auto of_first = [&](const FrameTimes& f) { return technique_ms(f, candidates.front()); };
+    summary.technique_ratio = ratio(frames, rounds.front(), of_technique, of_first);
+    summary.frame_ratio = ratio(frames, rounds.front(), frame_ms, frame_ms);
+    summaries.push_back(std::move(summary));
+  }
+  return summaries;
+}
+
+std::string group_of(const std::string& pass) {
+  return pass.substr(0, pass.find('@'));
+}
+
+}  // namespace lueur::cli

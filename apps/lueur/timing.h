@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Times candidates in turn, and turns the times into numbers that can be compared.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "candidate.h"
+#include "statistics.h"
+
+namespace lueur::cli {
+
+inline constexpr uint32_t kWarmUpFrames = 3;
+
+// What one frame took. `wall_ms` and `cpu_ms` are those of recording, submitting and waiting;
+// `cpu_ms` counts all threads of the process, which on a CPU device are the ones that render.
+struct FrameTimes {
+  std::vector<PassTime> passes;
+  double wall_ms = 0;
+  double cpu_ms = 0;
+};
+
+// By candidate, then by round.
+using Rounds = std::vector<std::vector<FrameTimes>>;
+
+// Renders A B C A B C …, so that what slows the machine down for a while slows all of them: first
+// kWarmUpFrames rounds that do not count, then `rounds`.
+Result<Rounds> time_in_turn(Session& session, std::span<Candidate> candidates, uint32_t rounds);
+
+// Of one pass, or of a group of passes: "hierarchical.gather" is all "hierarchical.gather@K".
+struct PassSummary {
+  std::string name;
+  Distribution gpu_ms;
+  // Median of the frame's CPU time, shared out by GPU time: gpu_ms * cpu / wall. On a CPU device
+  // this is the work of the pass; elsewhere it says little.
+  double cpu_ms = 0;
+  std::optional<uint64_t> samples;  // of passes that gather, see samples_of()
+};
+
+struct Summary {
+  std::vector<PassSummary> passes;
+  std::vector<PassSummary> groups;
+  Distribution technique_ms;    // sum of the technique's passes
+  double technique_cpu_ms = 0;  // as in PassSummary
+  Distribution frame_ms;        // sum of all passes
+  Distribution wall_ms;
+  Distribution cpu_ms;
+  // Medians over the rounds of this candidate's time over the first one's in the same round; none
+  // where that one takes no time.
+  std::optional<double> technique_ratio;
+  std::optional<double> frame_ratio;
+};
+
+// One for each candidate. Each has the same number of rounds, at least one.
+std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> candidates);
+
+// What "group@K" belongs to.
+std::string group_of(const std::string& pass);
+
+}  // namespace lueur::cli
