@@ -47,6 +47,8 @@ Json run_json(const Candidate& candidate, const Summary& summary) {
   json["memory_bytes"] = candidate.memory.total;
   json["passes"] = Json::array();
   for (const PassSummary& pass : summary.passes) json["passes"].push_back(pass_json(pass));
+  json["groups"] = Json::array();
+  for (const PassSummary& group : summary.groups) json["groups"].push_back(pass_json(group));
   return json;
 }
 

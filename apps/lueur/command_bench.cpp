@@ -86,7 +86,7 @@ Outcome run(const Options& options) {
   report.summaries = summarize(rounds, report.candidates);
   report.memory = session.context.memory();
   if (plan.scale)
-    report.series = fit_series(*plan.scale, plan.techniques, report.candidates, report.summaries);
+    report.series = fit_series(*plan.scale, plan.techniques, report.candidates, rounds);
   report.scale = std::move(plan.scale);
   LUEUR_TRY_VOID(options.json ? print_json(bench_json(report)) : print_data(bench_text(report)));
   return kExitDone;

@@ -54,50 +54,32 @@ double x_of(const Scale& scale, const Candidate& candidate) {
   return row->get(candidate.technique.technique->settings());
 }
 
-// What takes no time at some of the values is fitted to the others.
-void add_fit(const std::string& group, std::span<const double> x, std::span<const double> ms,
+// Fits what takes `ms_of` a frame, at those values where it takes any.
+template <class MsOf>
+void add_fit(const std::string& group, std::span<const double> x,
+             std::span<const std::vector<FrameTimes>> rounds, MsOf ms_of,
              std::vector<ScaleFit>& fits) {
-  std::vector<double> x_taken, ms_taken;
+  std::vector<double> x_taken;
+  std::vector<std::vector<double>> times;
   for (size_t i = 0; i < x.size(); ++i) {
-    if (!(ms[i] > 0.0)) continue;
+    std::vector<double> ms;
+    for (const FrameTimes& frame : rounds[i]) ms.push_back(ms_of(frame));
+    if (!std::all_of(ms.begin(), ms.end(), [](double t) { return t > 0.0; })) continue;
     x_taken.push_back(x[i]);
-    ms_taken.push_back(ms[i]);
+    times.push_back(std::move(ms));
   }
   if (x_taken.size() < 2) return;
-  fits.push_back({group, ms.front(), ms.back(), fit_power_law(x_taken, ms_taken),
-                  fit_line(x_taken, ms_taken)});
+  const std::vector<double> ms = medians_in_turn(times);
+  fits.push_back({group, ms.front(), ms.back(), fit_power_law(x_taken, ms), fit_line(x_taken, ms)});
 }
 
-// The names of all groups of passes, each once, in the order of the passes.
-std::vector<std::string> group_names(std::span<const Summary> summaries) {
+// The groups of all candidates, each once.
+std::vector<std::string> all_groups(std::span<const std::vector<FrameTimes>> rounds) {
   std::vector<std::string> names;
-  for (const Summary& summary : summaries)
-    for (const PassSummary& group : summary.groups)
-      if (std::find(names.begin(), names.end(), group.name) == names.end())
-        names.push_back(group.name);
+  for (const auto& frames : rounds)
+    for (const std::string& name : group_names(frames.front()))
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   return names;
-}
-
-std::vector<ScaleFit> fit_groups(std::span<const double> x, std::span<const Summary> summaries) {
-  const auto add = [&](const std::string& name, auto ms_of, std::vector<ScaleFit>& fits) {
-    std::vector<double> ms;
-    for (const Summary& summary : summaries) ms.push_back(ms_of(summary));
-    add_fit(name, x, ms, fits);
-  };
-  std::vector<ScaleFit> fits;
-  add(
-      "technique", [](const Summary& s) { return s.technique_ms.median; }, fits);
-  add(
-      "all passes", [](const Summary& s) { return s.frame_ms.median; }, fits);
-  for (const std::string& name : group_names(summaries)) {
-    const auto ms_of_group = [&](const Summary& summary) {
-      for (const PassSummary& group : summary.groups)
-        if (group.name == name) return group.gpu_ms.median;
-      return 0.0;
-    };
-    add(name, ms_of_group, fits);
-  }
-  return fits;
 }
 
 }  // namespace
@@ -140,17 +122,24 @@ Result<CandidateRequest> at_value(const Scale& scale, const std::string& value,
 }
 
 std::vector<Series> fit_series(const Scale& scale, std::span<const std::string> techniques,
-                               std::span<const Candidate> candidates,
-                               std::span<const Summary> summaries) {
+                               std::span<const Candidate> candidates, const Rounds& rounds) {
   const size_t count = scale.values.size();
   LUEUR_CHECK(candidates.size() == techniques.size() * count);
-  LUEUR_CHECK(summaries.size() == candidates.size());
+  LUEUR_CHECK(rounds.size() == candidates.size());
   std::vector<Series> all;
   for (const std::string& technique : techniques) {
     Series series{technique, all.size() * count, {}, {}};
     for (size_t i = 0; i < count; ++i)
       series.x.push_back(x_of(scale, candidates[series.first + i]));
-    series.fits = fit_groups(series.x, summaries.subspan(series.first, count));
+    const auto own_rounds = std::span(rounds).subspan(series.first, count);
+    const auto add = [&](const std::string& name, auto ms_of) {
+      add_fit(name, series.x, own_rounds, ms_of, series.fits);
+    };
+    const ChosenTechnique& chosen = candidates[series.first].technique;
+    add("technique", [&](const FrameTimes& f) { return technique_ms(f, chosen); });
+    add("all passes", [](const FrameTimes& f) { return total_ms(f.passes, ""); });
+    for (const std::string& group : all_groups(own_rounds))
+      add(group, [&](const FrameTimes& f) { return group_ms(f, group); });
     all.push_back(std::move(series));
   }
   return all;

@@ -30,10 +30,11 @@ Result<Scale> parse_scale(const std::string& flag, const std::string& text, Exte
 Result<CandidateRequest> at_value(const Scale& scale, const std::string& value,
                                   const CandidateRequest& base);
 
-// Time as a function of the value: of the technique, of all passes, or of a group of passes.
+// Time as a function of the value: of the technique, of all passes, or of a group of passes. The
+// times are medians_in_turn() of the values at which there is any.
 struct ScaleFit {
   std::string group;
-  double first_ms = 0;  // medians at the first and the last value
+  double first_ms = 0;  // at the first and the last of these
   double last_ms = 0;
   std::optional<PowerLaw> power;
   std::optional<Line> line;
@@ -49,7 +50,6 @@ struct Series {
 // `techniques` are labels; the candidates are those of the first at each value of `scale`, then
 // those of the second, and so on.
 std::vector<Series> fit_series(const Scale& scale, std::span<const std::string> techniques,
-                               std::span<const Candidate> candidates,
-                               std::span<const Summary> summaries);
+                               std::span<const Candidate> candidates, const Rounds& rounds);
 
 }  // namespace lueur::cli

@@ -82,11 +82,12 @@ TEST(Scaling, OneThingChanges) {
   EXPECT_NE(samples->label, triangles->label);
 }
 
-// Two series of a made-up technique: gather grows with the value, combine begins at the second.
+// Two series: gather grows with the value, combine begins at the second, and the second round is
+// ten times slower.
 TEST(Scaling, EachGroupOfPassesHasItsOwnFit) {
   const Scale scale{"--scale", "samples", {"2", "4", "8"}};
   std::vector<Candidate> candidates;
-  std::vector<Summary> summaries;
+  Rounds rounds;
   for (const double factor : {1.0, 10.0}) {
     for (const std::string& value : scale.values) {
       const double x = std::stod(value);
@@ -94,35 +95,42 @@ TEST(Scaling, EachGroupOfPassesHasItsOwnFit) {
       auto technique = choose_technique("hierarchical", {"samples=" + value});
       candidate.technique = std::move(*technique);
       candidates.push_back(std::move(candidate));
-      const auto ms = [](double median) { return Distribution{.median = median}; };
-      Summary summary;
-      summary.technique_ms = ms(5 + factor * x);
-      summary.frame_ms = ms(20);
-      summary.groups.push_back({"t.gather", ms(factor * x), 0, {}});
-      if (x > 2) summary.groups.push_back({"t.combine", ms(3), 0, {}});
-      summaries.push_back(summary);
+      std::vector<FrameTimes> frames;
+      for (const double slower : {1.0, 10.0, 1.0}) {
+        FrameTimes frame;
+        frame.passes = {{"hierarchical.gather@1", slower * factor * x * 0.25},
+                        {"hierarchical.gather@0", slower * factor * x * 0.75},
+                        {"hierarchical.output", slower * 5},
+                        {"renderer.light", slower * (95 - factor * x)}};
+        if (x > 2) frame.passes.push_back({"renderer.late", slower * 3});
+        frames.push_back(frame);
+      }
+      rounds.push_back(std::move(frames));
     }
   }
   const Texts labels = {"a", "b"};
-  const auto all = fit_series(scale, labels, candidates, summaries);
+  const auto all = fit_series(scale, labels, candidates, rounds);
   ASSERT_EQ(all.size(), 2u);
   for (size_t i = 0; i < 2; ++i) {
     const double factor = i == 0 ? 1.0 : 10.0;
     EXPECT_EQ(all[i].technique, labels[i]);
     EXPECT_EQ(all[i].first, 3 * i);
     EXPECT_EQ(all[i].x, (std::vector<double>{2, 4, 8}));
-    ASSERT_EQ(all[i].fits.size(), 4u);
-    EXPECT_EQ(all[i].fits[0].group, "technique");
-    EXPECT_EQ(all[i].fits[0].first_ms, 5 + factor * 2);
-    EXPECT_EQ(all[i].fits[0].last_ms, 5 + factor * 8);
-    EXPECT_NEAR(all[i].fits[0].line->constant, 5.0, 1e-9);
-    EXPECT_NEAR(all[i].fits[0].line->slope, factor, 1e-9);
+    ASSERT_EQ(all[i].fits.size(), 6u);
+    const auto expect_line = [&](size_t fit, const char* group, double constant, double slope) {
+      EXPECT_EQ(all[i].fits[fit].group, group);
+      EXPECT_NEAR(all[i].fits[fit].line->constant, constant, 1e-9) << group;
+      EXPECT_NEAR(all[i].fits[fit].line->slope, slope, 1e-9) << group;
+    };
+    expect_line(0, "technique", 5, factor);
     EXPECT_EQ(all[i].fits[1].group, "all passes");
-    EXPECT_NEAR(all[i].fits[1].power->exponent, 0.0, 1e-9);
-    EXPECT_EQ(all[i].fits[2].group, "t.gather");
+    expect_line(2, "hierarchical.gather", 0, factor);
     EXPECT_NEAR(all[i].fits[2].power->exponent, 1.0, 1e-9);
-    EXPECT_EQ(all[i].fits[3].group, "t.combine");
-    EXPECT_NEAR(all[i].fits[3].power->exponent, 0.0, 1e-9);
+    EXPECT_NEAR(all[i].fits[2].first_ms, factor * 2, 1e-9);
+    EXPECT_NEAR(all[i].fits[2].last_ms, factor * 8, 1e-9);
+    expect_line(3, "hierarchical.output", 5, 0);
+    expect_line(4, "renderer.light", 95, -factor);
+    expect_line(5, "renderer.late", 3, 0);
   }
 }
 

@@ -41,6 +41,25 @@ Distribution distribution(std::vector<double> values) {
           values.back()};
 }
 
+std::vector<double> medians_in_turn(const std::vector<std::vector<double>>& times) {
+  LUEUR_CHECK(!times.empty());
+  std::vector<std::vector<double>> relative(times.size());  // logarithms
+  std::vector<double> means;
+  for (size_t round = 0; round < times.front().size(); ++round) {
+    double sum = 0;
+    for (const auto& row : times) sum += std::log(row[round]);
+    means.push_back(sum / static_cast<double>(times.size()));
+    for (size_t i = 0; i < times.size(); ++i)
+      relative[i].push_back(std::log(times[i][round]) - means.back());
+  }
+  const double scale = distribution(means).median;
+  std::vector<double> medians;
+  medians.reserve(times.size());
+  for (auto& row : relative)
+    medians.push_back(std::exp(scale + distribution(std::move(row)).median));
+  return medians;
+}
+
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y) {
   LUEUR_CHECK(x.size() == y.size());
   if (x.size() < 2) return std::nullopt;

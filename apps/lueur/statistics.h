@@ -20,6 +20,11 @@ struct Distribution {
 // Of at least one value.
 Distribution distribution(std::vector<double> values);
 
+// Medians of times that were taken in turn, `times[i][round]`, all of them positive. Each time is
+// taken relative to the geometric mean of its round, so that what slows a whole round down does not
+// count; the median of those means gives the scale back.
+std::vector<double> medians_in_turn(const std::vector<std::vector<double>>& times);
+
 // y = factor * x^exponent, by least squares of log y on log x.
 struct PowerLaw {
   double factor = 0;
@@ -36,8 +41,8 @@ struct Line {
   std::optional<double> r_squared;
 };
 
-// None with fewer than two different x, and for a power law where an x or y is not positive. Both
-// spans are of one length.
+// Fit the points (x[i], y[i]). None with fewer than two different x, and for a power law where an x
+// or y is not positive. Both spans are of one length.
 std::optional<PowerLaw> fit_power_law(std::span<const double> x, std::span<const double> y);
 std::optional<Line> fit_line(std::span<const double> x, std::span<const double> y);
 

@@ -39,6 +39,16 @@ TEST(Statistics, DistributionOfOneAndOfMany) {
   EXPECT_EQ(even.upper_quartile, 3.25);
 }
 
+// Times 2 and 6 in rounds that are slowed down by 1, 10 and 4, and one outlier. Plain medians are 8
+// and 24, but 20 and 24 with the outlier.
+TEST(Statistics, MediansInTurnIgnoreSlowRounds) {
+  const auto even = medians_in_turn({{2, 20, 8}, {6, 60, 24}});
+  EXPECT_NEAR(even[0], 8.0, 10 * kRounding);
+  EXPECT_NEAR(even[1], 24.0, 10 * kRounding);
+  const auto outlier = medians_in_turn({{2, 20, 200}, {6, 60, 24}});
+  EXPECT_NEAR(outlier[1] / outlier[0], 3.0, 10 * kRounding);
+}
+
 TEST(Statistics, PowerLawIsRecovered) {
   const Values x = {8, 16, 32, 64, 128, 256};
   for (const double exponent : {-1.0, 0.5, 1.0, 2.0}) {

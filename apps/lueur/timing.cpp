@@ -51,38 +51,21 @@ PassSummary row(const std::string& name, const Frames& frames, MsOf ms_of) {
   return {name, over(frames, ms_of), cpu_share(frames, ms_of), {}};
 }
 
-double technique_ms(const FrameTimes& frame, const Candidate& candidate) {
-  return candidate.technique.info ? total_ms(frame.passes, candidate.technique.name() + ".") : 0.0;
-}
-
 double frame_ms(const FrameTimes& frame) {
   return total_ms(frame.passes, "");
 }
 
-// The passes for which `belongs` holds, added up.
-template <class Belongs>
-PassSummary sum_of(const std::string& name, const Frames& frames, Belongs belongs) {
-  return row(name, frames, [&](const FrameTimes& frame) {
-    double ms = 0;
-    for (const PassTime& pass : frame.passes)
-      if (belongs(pass.name)) ms += pass.gpu_ms;
-    return ms;
-  });
-}
-
 // All frames of a candidate have the same passes, each name once.
 void summarize_passes(const Frames& frames, const Candidate& candidate, Summary& summary) {
-  for (const PassTime& pass : frames.front().passes) {
+  const std::vector<PassTime>& passes = frames.front().passes;
+  for (size_t i = 0; i < passes.size(); ++i) {
     summary.passes.push_back(
-        sum_of(pass.name, frames, [&](const std::string& name) { return name == pass.name; }));
-    summary.passes.back().samples = samples_of(pass.name, candidate);
-    const std::string group = group_of(pass.name);
-    const bool known = std::any_of(summary.groups.begin(), summary.groups.end(),
-                                   [&](const PassSummary& g) { return g.name == group; });
-    if (!known)
-      summary.groups.push_back(
-          sum_of(group, frames, [&](const std::string& name) { return group_of(name) == group; }));
+        row(passes[i].name, frames, [&](const FrameTimes& f) { return f.passes[i].gpu_ms; }));
+    summary.passes.back().samples = samples_of(passes[i].name, candidate);
   }
+  for (const std::string& group : group_names(frames.front()))
+    summary.groups.push_back(
+        row(group, frames, [&](const FrameTimes& f) { return group_ms(f, group); }));
 }
 
 // Median over the rounds; none where the first candidate takes no time.
@@ -116,7 +99,9 @@ std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> 
   std::vector<Summary> summaries;
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Frames& frames = rounds[i];
-    const auto of_technique = [&](const FrameTimes& f) { return technique_ms(f, candidates[i]); };
+    const auto of_technique = [&](const FrameTimes& f) {
+      return technique_ms(f, candidates[i].technique);
+    };
     Summary summary;
     summarize_passes(frames, candidates[i], summary);
     summary.technique_ms = over(frames, of_technique);
@@ -124,7 +109,9 @@ std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> 
     summary.frame_ms = over(frames, frame_ms);
     summary.wall_ms = over(frames, [](const FrameTimes& f) { return f.wall_ms; });
     summary.cpu_ms = over(frames, [](const FrameTimes& f) { return f.cpu_ms; });
-    const auto of_first = [&](const FrameTimes& f) { return technique_ms(f, candidates.front()); };
+    const auto of_first = [&](const FrameTimes& f) {
+      return technique_ms(f, candidates.front().technique);
+    };
     summary.technique_ratio = ratio(frames, rounds.front(), of_technique, of_first);
     summary.frame_ratio = ratio(frames, rounds.front(), frame_ms, frame_ms);
     summaries.push_back(std::move(summary));
@@ -134,6 +121,26 @@ std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> 
 
 std::string group_of(const std::string& pass) {
   return pass.substr(0, pass.find('@'));
+}
+
+std::vector<std::string> group_names(const FrameTimes& frame) {
+  std::vector<std::string> names;
+  for (const PassTime& pass : frame.passes) {
+    const std::string name = group_of(pass.name);
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+double technique_ms(const FrameTimes& frame, const ChosenTechnique& technique) {
+  return technique.info ? total_ms(frame.passes, technique.name() + ".") : 0.0;
+}
+
+double group_ms(const FrameTimes& frame, const std::string& group) {
+  double ms = 0;
+  for (const PassTime& pass : frame.passes)
+    if (group_of(pass.name) == group) ms += pass.gpu_ms;
+  return ms;
 }
 
 }  // namespace lueur::cli

@@ -58,5 +58,11 @@ std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> 
 
 // What "group@K" belongs to.
 std::string group_of(const std::string& pass);
+// The groups of a frame, each once, in the order of the passes.
+std::vector<std::string> group_names(const FrameTimes& frame);
+
+// GPU time of a technique's passes, 0 for none, and of a group of passes.
+double technique_ms(const FrameTimes& frame, const ChosenTechnique& technique);
+double group_ms(const FrameTimes& frame, const std::string& group);
 
 }  // namespace lueur::cli
