@@ -39,13 +39,13 @@ TEST(Statistics, DistributionOfOneAndOfMany) {
   EXPECT_EQ(even.upper_quartile, 3.25);
 }
 
-// Times 2 and 6 in rounds that are slowed down by 1, 10 and 4, and one outlier. Plain medians are 8
+// Times 2 and 6 in rounds that are slowed down by 1, 4 and 10, and one outlier. Plain medians are 8
 // and 24, but 20 and 24 with the outlier.
 TEST(Statistics, MediansInTurnIgnoreSlowRounds) {
-  const auto even = medians_in_turn({{2, 20, 8}, {6, 60, 24}});
+  const auto even = medians_in_turn({{2, 8, 20}, {6, 24, 60}});
   EXPECT_NEAR(even[0], 8.0, 10 * kRounding);
   EXPECT_NEAR(even[1], 24.0, 10 * kRounding);
-  const auto outlier = medians_in_turn({{2, 20, 200}, {6, 60, 24}});
+  const auto outlier = medians_in_turn({{2, 200, 20}, {6, 24, 60}});
   EXPECT_NEAR(outlier[1] / outlier[0], 3.0, 10 * kRounding);
 }
 
