@@ -2,7 +2,6 @@
 #include "image/compare.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <string>
 
@@ -27,13 +26,11 @@ Result<Difference> compare(const Image8& a, const Image8& b, uint8_t tolerance) 
   if (a.samples.empty()) return Difference{};
 
   uint64_t pixels_over = 0;
-  uint64_t squares = 0;
   int max_channel = 0;
   for (size_t pixel = 0; pixel < a.samples.size(); pixel += a.channels) {
     int max_here = 0;
     for (size_t c = 0; c < a.channels; ++c) {
       const int difference = std::abs(int{a.samples[pixel + c]} - int{b.samples[pixel + c]});
-      squares += static_cast<uint64_t>(difference) * static_cast<uint64_t>(difference);
       max_here = std::max(max_here, difference);
     }
     pixels_over += max_here > tolerance ? 1 : 0;
@@ -44,7 +41,6 @@ Result<Difference> compare(const Image8& a, const Image8& b, uint8_t tolerance) 
   const double samples = static_cast<double>(a.samples.size());
   result.share_over = static_cast<double>(pixels_over) * a.channels / samples;
   result.max_channel = static_cast<uint8_t>(max_channel);
-  result.rmse = std::sqrt(static_cast<double>(squares) / samples);
   return result;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How far two stored pictures are apart; the measure of the golden images.
+// Whether two stored pictures are the same up to rounding; the measure of the golden images. How
+// far apart two pictures are that should differ is told by picture_error.h.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +13,6 @@ namespace lueur {
 struct Difference {
   double share_over = 0.0;  // pixels with a channel that differs by more than the tolerance, 0 to 1
   uint8_t max_channel = 0;  // the largest difference of any channel, in code values
-  double rmse = 0.0;        // root of the mean squared difference of all channels, in code values
 };
 
 // Compares two pictures channel by channel, alpha included. `tolerance` is in code values. Fails
