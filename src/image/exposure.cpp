@@ -17,10 +17,10 @@ constexpr double kBrightestWhite = 4.0;
 std::vector<float> lit_luminances(const ImageF& image) {
   LUEUR_CHECK(image.channels == 1 || image.channels == 3 || image.channels == 4);
   std::vector<float> lit;
-  lit.reserve(image.samples.size() / image.channels);
-  for (size_t i = 0; i < image.samples.size(); i += image.channels) {
-    const float* pixel = &image.samples[i];
-    const float y = image.channels == 1 ? pixel[0] : luminance(pixel[0], pixel[1], pixel[2]);
+  const size_t pixels = image.samples.size() / image.channels;
+  lit.reserve(pixels);
+  for (size_t i = 0; i < pixels; ++i) {
+    const float y = luminance_at(image, i);
     if (std::isfinite(y) && y > 0.0f) lit.push_back(y);
   }
   return lit;

@@ -43,12 +43,8 @@ float median(std::vector<float> values) {
 FlipExposures flip_exposures(const ImageF& reference, const Mask* mask) {
   std::vector<float> luminances;
   const size_t pixels = size_t{reference.width} * reference.height;
-  for (size_t i = 0; i < pixels; ++i) {
-    const float* pixel = &reference.samples[i * reference.channels];
-    if (counts(mask, i))
-      luminances.push_back(reference.channels == 1 ? pixel[0]
-                                                   : luminance(pixel[0], pixel[1], pixel[2]));
-  }
+  for (size_t i = 0; i < pixels; ++i)
+    if (counts(mask, i)) luminances.push_back(luminance_at(reference, i));
   if (luminances.empty()) return {};
   const float brightest = *std::max_element(luminances.begin(), luminances.end());
   if (!(brightest > 0.0f)) return {};

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "base/try.h"
 #include "image/exposure.h"
@@ -21,17 +20,23 @@ std::string size_text(uint32_t width, uint32_t height) {
 }
 
 template <class Image>
-Result<void> check_sizes(const Image& test, const Image& reference, const Mask* mask) {
-  const std::string size = size_text(test.width, test.height);
+Result<void> check_sizes(const Image& test, const Image& reference) {
   if (test.width != reference.width || test.height != reference.height)
     return Error{ErrorKind::input,
-                 "the pictures differ in size: the test has " + size + " pixels, the reference " +
-                     size_text(reference.width, reference.height) + "; render both in one size"};
+                 "the pictures differ in size: the test has " + size_text(test.width, test.height) +
+                     " pixels, the reference " + size_text(reference.width, reference.height) +
+                     "; render both in one size"};
   if (test.samples.empty()) return Error{ErrorKind::input, "the pictures have no pixels"};
+  return {};
+}
+
+template <class Image>
+Result<void> check_mask(const Mask* mask, const Image& picture) {
   if (mask == nullptr) return {};
-  if (mask->width != test.width || mask->height != test.height)
+  if (mask->width != picture.width || mask->height != picture.height)
     return Error{ErrorKind::input, "the mask has " + size_text(mask->width, mask->height) +
-                                       " pixels, the pictures " + size};
+                                       " pixels, the pictures " +
+                                       size_text(picture.width, picture.height)};
   if (mask->pixel_count() == 0)
     return Error{ErrorKind::input, "the mask leaves no pixel to compare; choose another layer"};
   return {};
@@ -59,10 +64,7 @@ ImageF decoded(const ImageF& picture) {
 
 ImageF luma(const ImageF& picture) {
   ImageF result(picture.width, picture.height, 1);
-  for (size_t i = 0; i < result.samples.size(); ++i) {
-    const float* pixel = &picture.samples[3 * i];
-    result.samples[i] = luminance(pixel[0], pixel[1], pixel[2]);
-  }
+  for (size_t i = 0; i < result.samples.size(); ++i) result.samples[i] = luminance_at(picture, i);
   return result;
 }
 
@@ -105,8 +107,8 @@ Result<void> check_finite(const ImageF& image, const std::string& name) {
                                      "); find their cause before measuring an error"};
 }
 
-Result<PictureErrors> scene_errors(const ImageF& test, const ImageF& reference, const Mask* mask) {
-  LUEUR_TRY_VOID(check_sizes(test, reference, mask));
+Result<void> check_comparable(const ImageF& test, const ImageF& reference) {
+  LUEUR_TRY_VOID(check_sizes(test, reference));
   if (test.channels != reference.channels)
     return Error{ErrorKind::input, "the pictures differ in channels: the test has " +
                                        std::to_string(test.channels) + ", the reference " +
@@ -116,8 +118,12 @@ Result<PictureErrors> scene_errors(const ImageF& test, const ImageF& reference, 
                  "pictures of " + std::to_string(test.channels) +
                      " channels cannot be compared; choose a layer of 1, 3 or 4 channels"};
   LUEUR_TRY_VOID(check_finite(test, "the test picture"));
-  LUEUR_TRY_VOID(check_finite(reference, "the reference"));
+  return check_finite(reference, "the reference");
+}
 
+Result<PictureErrors> scene_errors(const ImageF& test, const ImageF& reference, const Mask* mask) {
+  LUEUR_TRY_VOID(check_comparable(test, reference));
+  LUEUR_TRY_VOID(check_mask(mask, test));
   PictureErrors errors;
   set_sample_errors(errors, test, reference, mask);
 
@@ -138,7 +144,8 @@ Result<PictureErrors> scene_errors(const ImageF& test, const ImageF& reference, 
 
 Result<PictureErrors> display_errors(const Image8& test, const Image8& reference,
                                      const Mask* mask) {
-  LUEUR_TRY_VOID(check_sizes(test, reference, mask));
+  LUEUR_TRY_VOID(check_sizes(test, reference));
+  LUEUR_TRY_VOID(check_mask(mask, test));
   const ImageF shown_test = encoded(test);
   const ImageF shown_reference = encoded(reference);
   PictureErrors errors;

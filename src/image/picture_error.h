@@ -69,4 +69,7 @@ Result<PictureErrors> display_errors(const Image8& test, const Image8& reference
 // where the first is. `name` stands for the picture.
 Result<void> check_finite(const ImageF& image, const std::string& name);
 
+// The checks of scene_errors() on the two pictures.
+Result<void> check_comparable(const ImageF& test, const ImageF& reference);
+
 }  // namespace lueur
