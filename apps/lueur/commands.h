@@ -17,14 +17,15 @@ using Outcome = Result<int>;
 void add_render(CLI::App& program, Outcome& outcome);
 void add_reference(CLI::App& program, Outcome& outcome);
 void add_bench(CLI::App& program, Outcome& outcome);
+void add_diff(CLI::App& program, Outcome& outcome);
 void add_scene(CLI::App& program, Outcome& outcome);
 void add_devices(CLI::App& program, Outcome& outcome);
 void add_techniques(CLI::App& program, Outcome& outcome);
 
 // The last part of every --help.
 inline constexpr char kExitCodes[] =
-    "\nExit codes: 0 done, 1 a check found something (--scan, --validate), 2 usage,\n"
-    "3 input file, 4 output file or stdout, 5 device, 6 memory, 70 a defect in lueur,\n"
+    "\nExit codes: 0 done, 1 a check found something (--scan, --validate, --fail-above),\n"
+    "2 usage, 3 input file, 4 output file or stdout, 5 device, 6 memory, 70 a defect in lueur,\n"
     "130 interrupted.";
 
 }  // namespace lueur::cli

@@ -16,6 +16,7 @@ constexpr char kFooter[] =
     "  lueur render cornell -o cornell.png\n"
     "  lueur render room.glb --technique none -o direct.png\n"
     "  lueur render atrium --set samples=32 --json -o atrium.exr\n"
+    "  lueur diff atrium.png reference.png\n"
     "  lueur bench --scene atrium --size 1280x720\n"
     "  lueur scene list\n"
     "\nData goes to stdout, messages to stderr. NO_COLOR turns colours off.";
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
   add_render(program, outcome);
   add_reference(program, outcome);
   add_bench(program, outcome);
+  add_diff(program, outcome);
   add_scene(program, outcome);
   add_devices(program, outcome);
   add_techniques(program, outcome);
