@@ -11,6 +11,7 @@
 
 #include "image/exposure.h"
 #include "image/flip.h"
+#include "image/flip_hdr.h"
 #include "image/tone_map.h"
 
 namespace lueur {
@@ -96,7 +97,8 @@ TEST(PictureError, ScenesAreShownAtTheReferencesExposure) {
   ASSERT_TRUE(display.ok());
   EXPECT_EQ(errors->psnr, display->psnr);
   EXPECT_EQ(errors->ssim, display->ssim);
-  EXPECT_GT(errors->flip, 0.0);
+  EXPECT_EQ(errors->flip_map.samples,
+            hdr_flip_map(test, reference, flip_exposures(reference)).samples);
   EXPECT_EQ(errors->flip, mean(errors->flip_map, nullptr));
 }
 
@@ -119,6 +121,21 @@ TEST(PictureError, MaskedPixelsDoNotCount) {
   EXPECT_NEAR(errors->ssim, 1.0, 1e-5);
   EXPECT_EQ(errors->psnr, std::numeric_limits<double>::infinity());
   EXPECT_GT(scene_errors(test, reference)->flip, 0.1);
+}
+
+TEST(PictureError, MaskedPixelsAreNotMetered) {
+  ImageF reference = light(7);
+  for (uint32_t c = 0; c < 3; ++c) reference.at(23, 15, c) = 4000.0f;  // a lamp, which is masked
+  ImageF test = reference;
+  for (float& sample : test.samples) sample *= 1.2f;
+  Mask mask{24, 16, std::vector<uint8_t>(384, 1)};
+  mask.counts.back() = 0;
+  const auto errors = scene_errors(test, reference, &mask);
+  ASSERT_TRUE(errors.ok()) << errors.error().message;
+  EXPECT_EQ(errors->flip_map.samples,
+            hdr_flip_map(test, reference, flip_exposures(reference, &mask)).samples);
+  EXPECT_NE(errors->flip_map.samples,
+            hdr_flip_map(test, reference, flip_exposures(reference)).samples);
 }
 
 TEST(PictureError, BrokenSamplesAreCountedAndNamed) {
