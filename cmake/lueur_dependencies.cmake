@@ -3,6 +3,7 @@
 #   Vulkan::Headers volk vma spirv_cross      the GPU side; glslc itself is the program ${GLSLC}
 #   embree xxhash                             the reference
 #   openexr PNG::PNG turbojpeg                pictures
+#   ZLIB::ZLIB                                pictures within pages
 #   glm::glm nlohmann_json::nlohmann_json CLI11::CLI11 Threads::Threads
 #   GTest::gtest GTest::gtest_main            tests only
 #
@@ -80,6 +81,7 @@ lueur_find_module(xxhash libxxhash libxxhash-dev)
 # Pictures.
 lueur_find_module(openexr OpenEXR libopenexr-dev)
 lueur_find(PNG PNG::PNG libpng-dev)
+lueur_find(ZLIB ZLIB::ZLIB zlib1g-dev)
 lueur_find_module(turbojpeg libturbojpeg libturbojpeg0-dev)
 
 # Depth runs from 0 to 1 in Vulkan, and angles are radians: every user of glm must agree on both.

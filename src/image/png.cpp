@@ -139,13 +139,12 @@ Result<Image8> read_png(const std::filesystem::path& path) {
   return decode_png(bytes, path.string());
 }
 
-Result<void> write_png(const std::filesystem::path& path, const Image8& image) {
+Result<std::vector<uint8_t>> encode_png(const Image8& image, const std::string& name) {
   LUEUR_CHECK(image.channels == 3 || image.channels == 4);
   LUEUR_CHECK_OP(image.samples.size(), ==, size_t{image.width} * image.height * image.channels);
   if (image.width == 0 || image.height == 0 || uint64_t{image.width} * image.height > kMaxPngPixels)
-    return Error{ErrorKind::output, path.string() + ": a PNG holds 1 to " +
-                                        std::to_string(kMaxPngPixels) + " pixels, not " +
-                                        std::to_string(image.width) + "x" +
+    return Error{ErrorKind::output, name + ": a PNG holds 1 to " + std::to_string(kMaxPngPixels) +
+                                        " pixels, not " + std::to_string(image.width) + "x" +
                                         std::to_string(image.height)};
   png_image png = {};
   png.version = PNG_IMAGE_VERSION;
@@ -154,16 +153,22 @@ Result<void> write_png(const std::filesystem::path& path, const Image8& image) {
   png.format = image.channels == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
 
   try {
-    // Encode in memory, so that the file appears complete or not at all.
     png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
     std::vector<uint8_t> bytes(size);
     if (png_image_write_to_memory(&png, bytes.data(), &size, 0, image.samples.data(), 0, nullptr) ==
         0)
-      return Error{ErrorKind::output, path.string() + ": cannot be encoded: " + png.message};
-    return write_file(path, std::span(bytes).first(size));
+      return Error{ErrorKind::output, name + ": cannot be encoded: " + png.message};
+    bytes.resize(size);
+    return bytes;
   } catch (const std::bad_alloc&) {
-    return out_of_memory(path.string());
+    return out_of_memory(name);
   }
+}
+
+Result<void> write_png(const std::filesystem::path& path, const Image8& image) {
+  // Encode in memory, so that the file appears complete or not at all.
+  LUEUR_TRY(bytes, encode_png(image, path.string()));
+  return write_file(path, std::span<const uint8_t>(bytes));
 }
 
 }  // namespace lueur

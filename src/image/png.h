@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "image/image.h"
 #include "lueur/result.h"
@@ -24,7 +25,10 @@ inline constexpr uint64_t kMaxPngPixels = uint64_t{1} << 26;  // 8192 x 8192
 Result<Image8> decode_png(std::span<const uint8_t> bytes, const std::string& name);
 Result<Image8> read_png(const std::filesystem::path& path);
 
-// Writes 3 or 4 channels as sRGB, all or nothing. The same picture gives the same bytes.
+// Encodes 3 or 4 channels as sRGB; `name` stands for the picture in messages. The same picture
+// gives the same bytes. Fails (ErrorKind::output) on an empty picture and on one beyond the limits.
+Result<std::vector<uint8_t>> encode_png(const Image8& image, const std::string& name);
+// Writes such a file, all or nothing.
 Result<void> write_png(const std::filesystem::path& path, const Image8& image);
 
 }  // namespace lueur
