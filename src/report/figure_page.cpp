@@ -43,8 +43,10 @@ struct BlockWriter {
   Result<Json> operator()(const Table& table) const {
     Json columns = Json::array();
     for (const Column& column : table.columns)
-      columns.push_back(
-          {{"heading", column.heading}, {"unit", column.unit}, {"group", column.group}});
+      columns.push_back({{"heading", column.heading},
+                         {"unit", column.unit},
+                         {"group", column.group},
+                         {"digits", column.digits}});
     Json rows = Json::array();
     for (const std::vector<Cell>& cells : table.rows) {
       LUEUR_CHECK_OP(cells.size(), ==, table.columns.size());

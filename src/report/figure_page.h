@@ -44,6 +44,7 @@ struct Column {
   std::string heading;
   std::string unit;
   std::string group;
+  int digits = 3;  // of its largest number
 };
 
 using Cell = std::variant<std::monostate, double, std::string>;  // nothing is shown as a dash

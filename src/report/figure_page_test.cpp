@@ -29,7 +29,7 @@ FigurePage every_block() {
         PictureRow{{{Image8{2, 1, 3, {0, 1, 2, 3, 4, 5}}, "two pixels", {{0.0, 0.5, 2.0, 0.5}}}},
                    "a row"},
         Table{"times",
-              {{"level", "", ""}, {"time", "ms", "paper"}, {"time", "ms", "ours"}},
+              {{"level", "", ""}, {"time", "ms", "paper"}, {"time", "ms", "ours", 2}},
               {{"0", 1.5, std::monostate{}}}},
         Plot{"slice",
              {"x in px", false},
@@ -60,6 +60,7 @@ TEST_F(FigurePageTest, NumbersAreInJson) {
   EXPECT_FALSE(blocks[1]["pictures"][0].contains("url"));
   EXPECT_EQ(blocks[2]["rows"][0], Json({"0", 1.5, nullptr}));
   EXPECT_EQ(blocks[2]["columns"][1]["group"], "paper");
+  EXPECT_EQ(blocks[2]["columns"][2]["digits"], 2);
   EXPECT_EQ(blocks[3]["curves"][0]["points"][0], Json({0.0, 1.0}));
   EXPECT_TRUE(blocks[3]["curves"][0]["points"][1][1].is_null());
   EXPECT_EQ(blocks[3]["y"]["log"], true);

@@ -54,8 +54,10 @@ function showErrors(data) {
   const columns = [
     {heading: 'technique', sortable: true},
     {heading: 'technique', unit: 'ms', group: 'time', better: 'lower', sortable: true,
+     digits: 3,
      title: 'Median time of the technique alone.'},
     {heading: 'frame', unit: 'ms', group: 'time', better: 'lower', sortable: true,
+     digits: 3,
      title: 'Median time of the whole frame.'},
     ...data.references.flatMap((reference) => usedMetrics(data, reference).map((metric) => ({
       heading: metric.label, unit: metric.unit, group: `against ${reference.label}`,
@@ -110,8 +112,9 @@ function showReferences(data) {
   byId('references-table').append(scrollBox('References', makeTable({
     columns: [
       {heading: 'reference'}, {heading: 'mode'}, {heading: 'samples', unit: 'a pixel'},
-      {heading: 'estimated error', unit: '%', title: 'Relative, of the picture as a whole: what is left of its noise.'},
-      {heading: 'time', unit: 's'},
+      {heading: 'estimated error', unit: '%', digits: 3,
+       title: 'Relative, of the picture as a whole: what is left of its noise.'},
+      {heading: 'time', unit: 's', digits: 3},
     ],
     rows: data.references.map((r) => [r.label, r.mode, r.samples_per_pixel, percent(r.relative_error), r.seconds]),
   })));

@@ -33,20 +33,22 @@ function formatNumber(value, digits = 4) {
   return minus(size >= 10 ** digits ? value.toFixed(0) : value.toPrecision(digits));
 }
 
-// A formatter with equally many decimals for all numbers of a column: four digits for the largest,
-// two for the smallest, at most six decimals.
-function columnFormatter(values) {
-  const sizes = values.filter((v) => typeof v === 'number' && v !== 0).map(Math.abs);
-  if (sizes.length === 0) return formatNumber;
-  const largest = Math.max(...sizes);
-  const smallest = Math.min(...sizes);
-  if (largest >= 1e7 || smallest < 1e-5) return (value) => formatNumber(value, 3);
-  if (values.every((v) => typeof v !== 'number' || Number.isInteger(v)))
-    return (value) => (typeof value === 'number' ? minus(value.toFixed(0)) : '–');
+// A formatter with equally many decimals for all numbers of a column: as many as give the largest
+// so many digits, or one more where that shows small ones better. What they do not show is written
+// with an exponent.
+function columnFormatter(values, digits) {
+  const numbers = values.filter((value) => typeof value === 'number');
+  const sizes = numbers.filter((value) => value !== 0).map(Math.abs);
+  const format = (decimals) => (value) => {
+    if (typeof value !== 'number') return '–';
+    const tiny = value !== 0 && Math.abs(value) < 5 * 10 ** -decimals;
+    return minus(tiny && decimals > 0 ? value.toExponential(1) : value.toFixed(decimals));
+  };
+  if (numbers.every(Number.isInteger)) return format(0);
   const leading = (value) => Math.floor(Math.log10(value));
-  const wanted = Math.max(3 - leading(largest), 1 - leading(smallest));
-  const decimals = Math.min(Math.max(wanted, 0), 6);
-  return (value) => (typeof value === 'number' ? minus(value.toFixed(decimals)) : '–');
+  const forLargest = digits - 1 - leading(Math.max(...sizes));
+  const forSmallest = digits - 2 - leading(Math.min(...sizes));
+  return format(Math.min(Math.max(forLargest, Math.min(forSmallest, forLargest + 1), 0), 12));
 }
 
 // The typographic sign lines up with digits.

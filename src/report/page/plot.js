@@ -28,8 +28,9 @@ function plotSvg(plot, width) {
   const points = series.flatMap((s) => s.points);
   const baselines = (plot.baselines ?? []).filter(({y}) => Number.isFinite(y) && !(plot.y.log && y <= 0));
   const area = {left: 58, right: width - 14, top: 12, bottom: height - 42};
-  const x = makeScale(points.map((p) => p.x), plot.x.log, area.left, area.right);
-  const y = makeScale([...points, ...baselines].map((p) => p.y), plot.y.log, area.bottom, area.top);
+  const xMargin = series.some((s) => s.dots) ? 0.08 : 0;
+  const x = makeScale(points.map((p) => p.x), plot.x.log, xMargin, area.left, area.right);
+  const y = makeScale([...points, ...baselines].map((p) => p.y), plot.y.log, 0.08, area.bottom, area.top);
 
   const svg = svgEl('svg', {
     viewBox: `0 0 ${width} ${height}`, width, height, role: 'img', class: 'plot',
@@ -65,24 +66,18 @@ function plotSvg(plot, width) {
 
 const fixed = (value) => Number(value.toFixed(2));
 
-// Maps values to positions. The range gets a margin and, on a linear axis, reaches to 0 where the
-// values come near it.
-function makeScale(values, log, from, to) {
-  let low = Math.min(...values);
-  let high = Math.max(...values);
-  if (values.length === 0) [low, high] = log ? [1, 10] : [0, 1];
-  if (log) {
-    const margin = Math.max((Math.log10(high) - Math.log10(low)) * 0.12, 0.08);
-    [low, high] = [Math.log10(low) - margin, Math.log10(high) + margin];
-  } else {
-    if (low > 0 && low < high * 0.5) low = 0;
-    const margin = high > low ? (high - low) * 0.06 : Math.abs(high) * 0.1 || 1;
-    high += margin;
-    if (low !== 0) low -= margin;
-  }
-  const along = (value) => ((log ? Math.log10(value) : value) - low) / (high - low);
+// Maps values to positions. The range gets a margin, a share of it, and reaches to 0 on a linear axis
+// where the values come near it.
+function makeScale(values, log, margin, from, to) {
+  const inAxis = log ? Math.log10 : (value) => value;
+  let [low, high] = values.length === 0 ? [0, 1]
+    : [inAxis(Math.min(...values)), inAxis(Math.max(...values))];
+  if (!log && low > 0 && low < high * 0.5) low = 0;
+  const extra = high > low ? (high - low) * margin : Math.abs(high) * 0.1 || 1;
+  if (log || low !== 0) low -= extra;
+  high += extra;
   return {
-    position: (value) => from + (to - from) * along(value),
+    position: (value) => from + (to - from) * (inAxis(value) - low) / (high - low),
     ticks: log ? logTicks(low, high) : linearTicks(low, high),
   };
 }
@@ -90,8 +85,8 @@ function makeScale(values, log, from, to) {
 function linearTicks(low, high) {
   const rough = (high - low) / 5;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].find((s) => s * power >= rough) * power;
-  const decimals = Math.max(0, -Math.floor(Math.log10(step) + 1e-9));
+  const step = [1, 2, 2.5, 5, 10].find((s) => s * power >= rough * (1 - 1e-9)) * power;
+  const decimals = String(Number(step.toPrecision(2))).split('.')[1]?.length ?? 0;
   const ticks = [];
   for (let k = Math.ceil(low / step - 1e-9); k * step <= high + step * 1e-9; ++k)
     ticks.push({value: k * step, text: minus((k * step).toFixed(decimals))});

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Tables with aligned numbers, grouped headings and, where asked for, sorting.
 
-// A column is {heading, unit, group, title, better, sortable}; `better` is "lower", "higher",
-// "nearer_zero" or absent. A row is a list of cells: numbers, text, null, or nodes. A column of
+// A column is {heading, unit, group, title, digits, better, sortable}: `digits` are those of its
+// largest number, 4 if absent; `better` is "lower", "higher", "nearer_zero" or absent. A row is a list of cells: numbers, text, null, or nodes. A column of
 // numbers marks its best ones where it has `better`; `ranked(row, column)` may leave rows out.
 function makeTable({caption, columns, rows, ranked = () => true}) {
   const numeric = columns.map((_, c) => rows.some((row) => typeof row[c] === 'number'));
@@ -29,7 +29,7 @@ function makeTable({caption, columns, rows, ranked = () => true}) {
   }
 
   function formatterOf(c) {
-    return columns[c].formatter ??= columnFormatter(rows.map((row) => row[c]));
+    return columns[c].formatter ??= columnFormatter(rows.map((row) => row[c]), columns[c].digits ?? 4);
   }
 
   function isBest(r, c) {

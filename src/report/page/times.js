@@ -52,7 +52,7 @@ function passTable(entries) {
     .reduce((sum, pass) => (sum ?? 0) + (pass.ms ?? 0), null);
   return makeTable({
     columns: [{heading: 'pass', sortable: true},
-              ...entries.map((entry) => ({heading: entry.label, unit: 'ms', sortable: true}))],
+              ...entries.map((entry) => ({heading: entry.label, unit: 'ms', digits: 3, sortable: true}))],
     rows: names.map((name) => [name, ...entries.map((entry) => timeOf(entry, name))]),
   });
 }

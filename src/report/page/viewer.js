@@ -73,7 +73,8 @@ class Viewer {
     this.pointed = null;  // picture coordinates below the mouse
     this.pinned = null;   // and where it was clicked
     this.defaultEv = screens.exposureEv;
-    this.sides = [views[0], views.find((view) => view.group === 'References') ?? views[1] ?? views[0]];
+    this.sides = firstSides(data, views);
+    document.querySelector(`input[name="quantity"][value="${this.quantity}"]`).checked = true;
     this.connectControls();
     this.connectStage();
     this.update();
@@ -278,7 +279,8 @@ class Viewer {
       context.fillStyle = '#999';
       context.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
       context.textAlign = 'center';
-      const text = view.map || view[this.quantity] !== null ? 'unpacking …' : `no ${this.quantity} light here`;
+      const missing = this.quantity === 'indirect' ? 'no picture of indirect light' : 'no composed picture';
+      const text = view.map || view[this.quantity] !== null ? 'unpacking …' : missing;
       context.fillText(text, (from + to) / 2, this.canvas.height / 2);
     }
     context.restore();
@@ -322,10 +324,20 @@ class Viewer {
     const pixel = {x: Math.min(Math.floor(x), this.store.width - 1), y: Math.min(Math.floor(y), this.store.height - 1)};
     const inside = pixel.x >= 0 && pixel.y >= 0;
     const from = this.pinned ? 'clicked' : this.pointed ? 'below the pointer' : 'in the middle';
+    const hint = this.pointed && document.activeElement !== this.stage
+      ? '; click the picture to zoom with the wheel' : '';
     byId('status').textContent = `zoom ${Math.round(this.viewport.zoom * 100)} %` +
-      (inside ? `, pixel ${pixel.x}, ${pixel.y} (${from})` : '');
+      (inside ? `, pixel ${pixel.x}, ${pixel.y} (${from})` : '') + hint;
     this.readOut.show(pixel, this.quantity, this.screens.exposureEv, this.screens.toneMap);
   }
+}
+
+// The first technique that does something, and the first reference.
+function firstSides(data, views) {
+  const busy = data.entries.findIndex((entry) => entry.technique_ms > 0);
+  const left = views.find((view) => view.key === `entry-${busy}`) ?? views[0];
+  const others = views.filter((view) => view !== left);
+  return [left, others.find((view) => view.group === 'References') ?? others[0] ?? left];
 }
 
 const nextOf = (list, value) => list[(list.indexOf(value) + 1) % list.length];
