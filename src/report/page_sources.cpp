@@ -31,6 +31,9 @@ constexpr std::string_view kViewport =
 constexpr std::string_view kReadOut =
 #include "report/page/read_out.js.inc"
     ;
+constexpr std::string_view kViews =
+#include "report/page/views.js.inc"
+    ;
 constexpr std::string_view kViewer =
 #include "report/page/viewer.js.inc"
     ;
@@ -59,9 +62,9 @@ const std::string_view kFigureSkeleton =
 #include "report/page/figures.html.inc"
     ;
 
-const std::array<std::string_view, 12> kComparisonScripts = {
-    kDom,      kTable,   kPlot,   kToneMap,   kMagma, kPackedPicture,
-    kViewport, kReadOut, kViewer, kErrorMaps, kTimes, kComparison};
+const std::array<std::string_view, 13> kComparisonScripts = {
+    kDom,     kTable, kPlot,   kToneMap,   kMagma, kPackedPicture, kViewport,
+    kReadOut, kViews, kViewer, kErrorMaps, kTimes, kComparison};
 const std::array<std::string_view, 4> kFigureScripts = {kDom, kTable, kPlot, kFigures};
 
 }  // namespace lueur::report

@@ -13,7 +13,7 @@ extern const std::string_view kComparisonSkeleton;
 extern const std::string_view kFigureSkeleton;
 
 // Each list is one module: what a file uses stands in one before it.
-extern const std::array<std::string_view, 12> kComparisonScripts;
+extern const std::array<std::string_view, 13> kComparisonScripts;
 extern const std::array<std::string_view, 4> kFigureScripts;
 
 }  // namespace lueur::report

@@ -4,7 +4,7 @@ import {existsSync} from 'node:fs';
 import {pathToFileURL} from 'node:url';
 
 const kBrowser = process.env.LUEUR_CHROMIUM ?? '/usr/bin/chromium';
-const kSkipped = 77;  // as CMakeLists.txt has it
+const kSkipped = 77; // as CMakeLists.txt has it
 
 export function skip(reason) {
   console.log(`skipped: ${reason}`);
@@ -13,15 +13,24 @@ export function skip(reason) {
 
 export async function startBrowser() {
   if (!existsSync(kBrowser)) skip(`${kBrowser} is missing: run \`./run setup\``);
-  const playwright = await import('playwright-core')
-    .catch(() => skip('playwright-core is missing: run `./run test`, or `npm ci` in tests/page'));
+  const playwright = await import('playwright-core').catch(() =>
+    skip('playwright-core is missing: run `./run test`, or `npm ci` in tests/page'),
+  );
   try {
     return await playwright.chromium.launch({
       executablePath: kBrowser,
       timeout: 15000,
-      args: ['--headless', '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run',
-             '--disable-background-networking', '--disable-component-update', '--disable-sync',
-             '--host-resolver-rules=MAP * ~NOTFOUND'],
+      args: [
+        '--headless',
+        '--no-sandbox',
+        '--disable-gpu',
+        '--disable-quic',
+        '--no-first-run',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-sync',
+        '--host-resolver-rules=MAP * ~NOTFOUND',
+      ],
     });
   } catch (error) {
     return skip(`${kBrowser} does not start: ${error.message.split('\n')[0]}`);
@@ -30,14 +39,21 @@ export async function startBrowser() {
 
 // Opens a file. `page.faults` lists errors, dialogs and requests for anything else.
 export async function openPage(browser, file, {width = 1280, dark = false, before} = {}) {
-  const page = await browser.newPage({viewport: {width, height: 900}, colorScheme: dark ? 'dark' : 'light'});
+  const page = await browser.newPage({
+    viewport: {width, height: 640},
+    colorScheme: dark ? 'dark' : 'light',
+  });
   page.setDefaultTimeout(5000);
   const url = pathToFileURL(file).href;
   page.faults = [];
   page.on('pageerror', (error) => page.faults.push(`error: ${error.message}`));
   page.on('console', (message) => page.faults.push(`console: ${message.text()}`));
   page.on('request', (request) => {
-    if (request.url() !== url && !request.url().startsWith('data:') && !request.url().startsWith('blob:'))
+    if (
+      request.url() !== url &&
+      !request.url().startsWith('data:') &&
+      !request.url().startsWith('blob:')
+    )
       page.faults.push(`request: ${request.url()}`);
   });
   page.on('dialog', (dialog) => {
@@ -51,6 +67,10 @@ export async function openPage(browser, file, {width = 1280, dark = false, befor
 
 // Waits until everything has been drawn that is going to be.
 export async function settle(page) {
-  await page.waitForFunction(() => document.querySelectorAll('script[id^="picture-"]').length === 0);
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await page.waitForFunction(
+    () => document.querySelectorAll('script[id^="picture-"]').length === 0,
+  );
+  await page.evaluate(
+    () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+  );
 }

@@ -41,8 +41,8 @@ function columnFormatter(values, digits) {
   const sizes = numbers.filter((value) => value !== 0).map(Math.abs);
   const format = (decimals) => (value) => {
     if (typeof value !== 'number') return '–';
-    const tiny = value !== 0 && Math.abs(value) < 5 * 10 ** -decimals;
-    return minus(tiny && decimals > 0 ? value.toExponential(1) : value.toFixed(decimals));
+    const vanishes = value !== 0 && Math.abs(value) < 0.5 * 10 ** -decimals;
+    return minus(vanishes ? value.toExponential(1) : value.toFixed(decimals));
   };
   if (numbers.every(Number.isInteger)) return format(0);
   const leading = (value) => Math.floor(Math.log10(value));
@@ -67,8 +67,11 @@ function readData() {
 function showHead({title, summary, facts, warnings}) {
   byId('title').textContent = title;
   if (summary) byId('summary').textContent = summary;
-  byId('facts').append(...facts.filter(([, value]) => value !== '').map(([name, value]) =>
-      el('div', {}, el('dt', {}, name), el('dd', {}, value))));
+  byId('facts').append(
+    ...facts
+      .filter(([, value]) => value !== '')
+      .map(([name, value]) => el('div', {}, el('dt', {}, name), el('dd', {}, value))),
+  );
   for (const warning of warnings) warn(warning);
 }
 
@@ -84,8 +87,10 @@ function showCommand(command) {
   byId('reproduce').hidden = false;
   const button = byId('copy');
   button.addEventListener('click', async () => {
-    button.textContent = await copyText(command) ? 'Copied' : 'Select the text and copy it';
-    setTimeout(() => { button.textContent = 'Copy'; }, 2000);
+    button.textContent = (await copyText(command)) ? 'Copied' : 'Select the text and copy it';
+    setTimeout(() => {
+      button.textContent = 'Copy';
+    }, 2000);
   });
 }
 

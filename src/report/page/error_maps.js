@@ -5,12 +5,25 @@ class ErrorMaps {
   constructor(data, views, screens, {onScale, onPick}) {
     this.screens = screens;
     this.onScale = onScale;
-    this.maps = views.filter((view) => view.map).map((view) => ({view, canvas: el('canvas', {'aria-hidden': 'true'})}));
+    this.maps = views
+      .filter((view) => view.map)
+      .map((view) => ({view, canvas: el('canvas', {'aria-hidden': 'true'})}));
     if (this.maps.length === 0) return;
     byId('maps').hidden = false;
-    byId('map-grid').append(...this.maps.map(({view, canvas}) => el('li', {},
-      el('button', {type: 'button', class: 'map', onclick: () => onPick(view)},
-        canvas, el('span', {}, view.label)))));
+    byId('map-grid').append(
+      ...this.maps.map(({view, canvas}) =>
+        el(
+          'li',
+          {},
+          el(
+            'button',
+            {type: 'button', class: 'map', onclick: () => onPick(view)},
+            canvas,
+            el('span', {}, view.label),
+          ),
+        ),
+      ),
+    );
     byId('legend-bar').style.backgroundImage = kMagmaGradient;
     byId('map-scale').addEventListener('input', () => this.setScale());
     this.setScale();
@@ -20,7 +33,9 @@ class ErrorMaps {
   setScale() {
     this.screens.mapScale = 2 ** -Number(byId('map-scale').value);
     const scales = [...new Set(this.maps.map(({view}) => view.map.full_scale))];
-    const top = scales.map((scale) => `${formatNumber(scale * this.screens.mapScale, 3)}`).join(' or ');
+    const top = scales
+      .map((scale) => `${formatNumber(scale * this.screens.mapScale, 3)}`)
+      .join(' or ');
     byId('legend-top').textContent = `${top} and more`;
     byId('map-scale-value').textContent = `×${formatNumber(1 / this.screens.mapScale, 3)}`;
     this.update();
@@ -39,7 +54,7 @@ class ErrorMaps {
       if (!screen) continue;
       const width = Math.min(screen.width, 480);
       canvas.width = width;
-      canvas.height = Math.max(1, Math.round(width * screen.height / screen.width));
+      canvas.height = Math.max(1, Math.round((width * screen.height) / screen.width));
       const context = canvas.getContext('2d');
       context.imageSmoothingQuality = 'high';
       context.drawImage(screen, 0, 0, canvas.width, canvas.height);

@@ -47,8 +47,8 @@ function unpredict(bytes, start, width, height) {
   const plane = new Int32Array(count);
   for (let y = 0, i = 0; y < height; ++y) {
     for (let x = 0; x < width; ++x, ++i) {
-      const folded = bytes[start + i] | bytes[start + count + i] << 8;
-      const miss = folded & 1 ? -(folded + 1 >> 1) : folded >> 1;
+      const folded = bytes[start + i] | (bytes[start + count + i] << 8);
+      const miss = folded & 1 ? -((folded + 1) >> 1) : folded >> 1;
       plane[i] = miss + predicted(plane, i, x, y, width);
     }
   }
@@ -61,7 +61,9 @@ function predicted(plane, i, x, y, width) {
   if (y === 0) return left;
   const above = plane[i - width];
   const slope = left + above - plane[i - width - 1];
-  return left < above ? Math.min(Math.max(slope, left), above) : Math.min(Math.max(slope, above), left);
+  return left < above
+    ? Math.min(Math.max(slope, left), above)
+    : Math.min(Math.max(slope, above), left);
 }
 
 // All pictures of the page, unpacked when first asked for, one after the other.
@@ -83,7 +85,7 @@ class PictureStore {
     if (this.waiting.has(number)) return this.waiting.get(number);
     this.last = this.last.then(async () => {
       this.unpacked.set(number, await unpackPicture(number, this.width, this.height, channels));
-      byId(`picture-${number}`).remove();  // what was unpacked needs no second copy
+      byId(`picture-${number}`).remove(); // what was unpacked needs no second copy
     });
     this.waiting.set(number, this.last);
     return this.last;

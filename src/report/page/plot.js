@@ -22,18 +22,36 @@ function showPlot(box, plot) {
 
 function plotSvg(plot, width) {
   const height = Math.round(Math.min(Math.max(width * 0.55, 220), 380));
-  const shown = ({x, y}) => Number.isFinite(x) && Number.isFinite(y) &&
-    !(plot.x.log && x <= 0) && !(plot.y.log && y <= 0);
+  const shown = ({x, y}) =>
+    Number.isFinite(x) && Number.isFinite(y) && !(plot.x.log && x <= 0) && !(plot.y.log && y <= 0);
   const series = plot.series.map((s) => ({...s, points: s.points.filter(shown)}));
   const points = series.flatMap((s) => s.points);
-  const baselines = (plot.baselines ?? []).filter(({y}) => Number.isFinite(y) && !(plot.y.log && y <= 0));
+  const baselines = (plot.baselines ?? []).filter(
+    ({y}) => Number.isFinite(y) && !(plot.y.log && y <= 0),
+  );
   const area = {left: 58, right: width - 14, top: 12, bottom: height - 42};
   const xMargin = series.some((s) => s.dots) ? 0.08 : 0;
-  const x = makeScale(points.map((p) => p.x), plot.x.log, xMargin, area.left, area.right);
-  const y = makeScale([...points, ...baselines].map((p) => p.y), plot.y.log, 0.08, area.bottom, area.top);
+  const x = makeScale(
+    points.map((p) => p.x),
+    plot.x.log,
+    xMargin,
+    area.left,
+    area.right,
+  );
+  const y = makeScale(
+    [...points, ...baselines].map((p) => p.y),
+    plot.y.log,
+    0.08,
+    area.bottom,
+    area.top,
+  );
 
   const svg = svgEl('svg', {
-    viewBox: `0 0 ${width} ${height}`, width, height, role: 'img', class: 'plot',
+    viewBox: `0 0 ${width} ${height}`,
+    width,
+    height,
+    role: 'img',
+    class: 'plot',
     'aria-label': `${plot.y.label} over ${plot.x.label}`,
   });
   svg.append(...axes(plot, x, y, area));
@@ -45,15 +63,24 @@ function plotSvg(plot, width) {
   for (const s of series) {
     const at = s.points.map((p) => [x.position(p.x), y.position(p.y)]);
     if (s.line && at.length > 1)
-      svg.append(svgEl('polyline', {
-        class: s.dots ? 'curve thin' : 'curve', points: at.map((p) => p.map(fixed).join(',')).join(' '),
-        style: `stroke: ${s.color}`, 'stroke-dasharray': s.dashed ? '5 4' : null,
-      }));
+      svg.append(
+        svgEl('polyline', {
+          class: s.dots ? 'curve thin' : 'curve',
+          points: at.map((p) => p.map(fixed).join(',')).join(' '),
+          style: `stroke: ${s.color}`,
+          'stroke-dasharray': s.dashed ? '5 4' : null,
+        }),
+      );
     if (s.dots)
       at.forEach(([px, py], i) => {
         labels.reserve(px - 5, py - 5, 10, 10);
-        svg.append(svgEl('circle', {class: 'dot', cx: fixed(px), cy: fixed(py), r: 4.5, style: `fill: ${s.color}`},
-                         svgEl('title', {}, s.points[i].title ?? '')));
+        svg.append(
+          svgEl(
+            'circle',
+            {class: 'dot', cx: fixed(px), cy: fixed(py), r: 4.5, style: `fill: ${s.color}`},
+            svgEl('title', {}, s.points[i].title ?? ''),
+          ),
+        );
       });
   }
   for (const baseline of baselines)
@@ -66,18 +93,18 @@ function plotSvg(plot, width) {
 
 const fixed = (value) => Number(value.toFixed(2));
 
-// Maps values to positions. The range gets a margin, a share of it, and reaches to 0 on a linear axis
-// where the values come near it.
+// Maps values to positions. The range gets a margin, a share of it, and reaches to 0 on a linear
+// axis where the values come near it.
 function makeScale(values, log, margin, from, to) {
   const inAxis = log ? Math.log10 : (value) => value;
-  let [low, high] = values.length === 0 ? [0, 1]
-    : [inAxis(Math.min(...values)), inAxis(Math.max(...values))];
+  let [low, high] =
+    values.length === 0 ? [0, 1] : [inAxis(Math.min(...values)), inAxis(Math.max(...values))];
   if (!log && low > 0 && low < high * 0.5) low = 0;
   const extra = high > low ? (high - low) * margin : Math.abs(high) * 0.1 || 1;
   if (log || low !== 0) low -= extra;
   high += extra;
   return {
-    position: (value) => from + (to - from) * (inAxis(value) - low) / (high - low),
+    position: (value) => from + ((to - from) * (inAxis(value) - low)) / (high - low),
     ticks: log ? logTicks(low, high) : linearTicks(low, high),
   };
 }
@@ -116,16 +143,43 @@ function axes(plot, x, y, area) {
   for (const {value, text} of y.ticks) {
     const at = fixed(y.position(value));
     parts.push(svgEl('line', {class: 'grid', x1: area.left, x2: area.right, y1: at, y2: at}));
-    parts.push(svgEl('text', {class: 'tick', x: area.left - 6, y: at + 4, 'text-anchor': 'end'}, text));
+    parts.push(
+      svgEl('text', {class: 'tick', x: area.left - 6, y: at + 4, 'text-anchor': 'end'}, text),
+    );
   }
   for (const {value, text} of x.ticks) {
     const at = fixed(x.position(value));
     parts.push(svgEl('line', {class: 'grid', x1: at, x2: at, y1: area.top, y2: area.bottom}));
-    parts.push(svgEl('text', {class: 'tick', x: at, y: area.bottom + 16, 'text-anchor': 'middle'}, text));
+    parts.push(
+      svgEl('text', {class: 'tick', x: at, y: area.bottom + 16, 'text-anchor': 'middle'}, text),
+    );
   }
   const middle = (area.top + area.bottom) / 2;
-  parts.push(svgEl('text', {class: 'axis', x: (area.left + area.right) / 2, y: area.bottom + 34, 'text-anchor': 'middle'}, plot.x.label));
-  parts.push(svgEl('text', {class: 'axis', x: 13, y: middle, 'text-anchor': 'middle', transform: `rotate(-90 13 ${middle})`}, plot.y.label));
+  parts.push(
+    svgEl(
+      'text',
+      {
+        class: 'axis',
+        x: (area.left + area.right) / 2,
+        y: area.bottom + 34,
+        'text-anchor': 'middle',
+      },
+      plot.x.label,
+    ),
+  );
+  parts.push(
+    svgEl(
+      'text',
+      {
+        class: 'axis',
+        x: 13,
+        y: middle,
+        'text-anchor': 'middle',
+        transform: `rotate(-90 13 ${middle})`,
+      },
+      plot.y.label,
+    ),
+  );
   return parts;
 }
 
@@ -141,30 +195,69 @@ class LabelPlacer {
   }
 
   text(px, py, label) {
-    const width = label.length * 6.4 + 4;  // of 11.5 px text, not less than it takes
+    const width = label.length * 6.4 + 4; // of 11.5 px text, not less than it takes
     const height = 14;
     const places = [];
     for (const dy of [0, -13, 13, -26, 26, -39, 39])
-      places.push([px + 9, py - 7 + dy], [px - 9 - width, py - 7 + dy], [px - width / 2, py - 7 + dy]);
-    const box = places.map(([x, y]) => ({x, y, width, height}))
-      .find((candidate) => this.isFree(candidate)) ??
-      {x: Math.min(px + 9, this.area.right - width), y: py - 7, width, height};
+      places.push(
+        [px + 9, py - 7 + dy],
+        [px - 9 - width, py - 7 + dy],
+        [px - width / 2, py - 7 + dy],
+      );
+    const box = places
+      .map(([x, y]) => ({x, y, width, height}))
+      .find((candidate) => this.isFree(candidate)) ?? {
+      x: Math.min(px + 9, this.area.right - width),
+      y: py - 7,
+      width,
+      height,
+    };
     this.taken.push(box);
     return svgEl('text', {class: 'label', x: fixed(box.x + 2), y: fixed(box.y + 11)}, label);
   }
 
   isFree(box) {
     const {left, right, top, bottom} = this.area;
-    return box.x >= left && box.x + box.width <= right && box.y >= top - 8 && box.y + box.height <= bottom &&
-      !this.taken.some((other) => box.x < other.x + other.width && other.x < box.x + box.width &&
-                                  box.y < other.y + other.height && other.y < box.y + box.height);
+    return (
+      box.x >= left &&
+      box.x + box.width <= right &&
+      box.y >= top - 8 &&
+      box.y + box.height <= bottom &&
+      !this.taken.some(
+        (other) =>
+          box.x < other.x + other.width &&
+          other.x < box.x + box.width &&
+          box.y < other.y + other.height &&
+          other.y < box.y + box.height,
+      )
+    );
   }
 }
 
 // A legend for curves: a line of their colour, and their name.
 function plotLegend(series) {
-  return el('ul', {class: 'legend'}, series.map((s) => el('li', {},
-    svgEl('svg', {width: 22, height: 10, 'aria-hidden': 'true'},
-          svgEl('line', {x1: 1, x2: 21, y1: 5, y2: 5, style: `stroke: ${s.color}`, 'stroke-width': 2, 'stroke-dasharray': s.dashed ? '5 4' : null})),
-    s.label)));
+  return el(
+    'ul',
+    {class: 'legend'},
+    series.map((s) =>
+      el(
+        'li',
+        {},
+        svgEl(
+          'svg',
+          {width: 22, height: 10, 'aria-hidden': 'true'},
+          svgEl('line', {
+            x1: 1,
+            x2: 21,
+            y1: 5,
+            y2: 5,
+            style: `stroke: ${s.color}`,
+            'stroke-width': 2,
+            'stroke-dasharray': s.dashed ? '5 4' : null,
+          }),
+        ),
+        s.label,
+      ),
+    ),
+  );
 }

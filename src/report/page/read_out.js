@@ -2,18 +2,39 @@
 // The linear values of all pictures at one pixel.
 
 class ReadOut {
-  // `views` as in viewer.js; error maps become columns of their technique's row.
+  // `views` as in views.js; error maps become columns of their technique's row.
   constructor(box, data, store, views) {
     this.store = store;
     this.pictures = views.filter((view) => !view.map);
     this.columns = mapColumns(data, views);
     this.rows = this.pictures.map((view) => this.row(view));
     const headings = ['R', 'G', 'B', 'Y', ...this.columns.map(({label}) => label)];
-    box.append(el('table', {class: 'read-out'},
-      el('caption', {class: 'unseen'}, 'Linear values at the pixel, before exposure and tone map'),
-      el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'linear values'),
-        headings.map((text) => el('th', {scope: 'col', class: 'number'}, text)))),
-      el('tbody', {}, this.rows.map(({element}) => element))));
+    box.append(
+      el(
+        'table',
+        {class: 'read-out'},
+        el(
+          'caption',
+          {class: 'unseen'},
+          'Linear values at the pixel, before exposure and tone map',
+        ),
+        el(
+          'thead',
+          {},
+          el(
+            'tr',
+            {},
+            el('th', {scope: 'col'}, 'linear values'),
+            headings.map((text) => el('th', {scope: 'col', class: 'number'}, text)),
+          ),
+        ),
+        el(
+          'tbody',
+          {},
+          this.rows.map(({element}) => element),
+        ),
+      ),
+    );
   }
 
   row(view) {
@@ -33,7 +54,9 @@ class ReadOut {
       const rgb = codes && Array.from(codes.subarray(at * 3, at * 3 + 3));
       const values = rgb ? rgb.map((code) => light[code]) : [null, null, null];
       const luminance = rgb ? 0.2126 * values[0] + 0.7152 * values[1] + 0.0722 * values[2] : null;
-      [...values, luminance].forEach((value, i) => { cells[i].textContent = formatNumber(value, 3); });
+      [...values, luminance].forEach((value, i) => {
+        cells[i].textContent = formatNumber(value, 3);
+      });
       swatch.style.backgroundColor = rgb ? displayColor(rgb, light, exposureEv, toneMap) : '';
       this.columns.forEach((column, i) => {
         const map = inside ? this.store.codes(column.pictures.get(view.key)) : undefined;
@@ -49,8 +72,8 @@ function displayColor(rgb, light, exposureEv, toneMap) {
   return `rgb(${rgba.slice(0, 3).join(' ')})`;
 }
 
-// A column for each metric and reference of which there is a map: from the key of a technique's view
-// to the number of its map.
+// A column for each metric and reference of which there is a map: from the key of a technique's
+// view to the number of its map.
 function mapColumns(data, views) {
   const columns = new Map();
   for (const view of views.filter(({map}) => map)) {

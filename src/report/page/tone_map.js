@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// From linear light to code values, as src/image/tone_map.cpp does it; the page's test holds the two
-// against each other. Each curve takes and leaves three numbers in `v`: in linear Rec.709, out linear
-// too (`encoded` false) or display-encoded.
+// From linear light to code values, as src/image/tone_map.cpp does it; the page's test holds the
+// two against each other. Each curve takes and leaves three numbers in `v`: in linear Rec.709, out
+// linear too (`encoded` false) or display-encoded.
 
 const kBrightest = 65504;
 
@@ -14,15 +14,21 @@ function multiply(m, v) {
 
 // Stephen Hill's fit of the RRT and ODT of ACES.
 const kRrtFromRec709 = [
-  [0.59719, 0.35458, 0.04823], [0.07600, 0.90834, 0.01566], [0.02840, 0.13383, 0.83777]];
+  [0.59719, 0.35458, 0.04823],
+  [0.076, 0.90834, 0.01566],
+  [0.0284, 0.13383, 0.83777],
+];
 const kRec709FromOdt = [
-  [1.60475, -0.53108, -0.07367], [-0.10208, 1.10813, -0.00605], [-0.00327, -0.07276, 1.07602]];
+  [1.60475, -0.53108, -0.07367],
+  [-0.10208, 1.10813, -0.00605],
+  [-0.00327, -0.07276, 1.07602],
+];
 
 function aces(v) {
   multiply(kRrtFromRec709, v);
   for (let c = 0; c < 3; ++c) {
     const x = v[c];
-    v[c] = (x * (x + 0.0245786) - 0.000090537) / (x * (0.983729 * x + 0.4329510) + 0.238081);
+    v[c] = (x * (x + 0.0245786) - 0.000090537) / (x * (0.983729 * x + 0.432951) + 0.238081);
   }
   multiply(kRec709FromOdt, v);
 }
@@ -31,11 +37,13 @@ function aces(v) {
 const kAgxInset = [
   [0.842479062253094, 0.0784335999999992, 0.0792237451477643],
   [0.0423282422610123, 0.878468636469772, 0.0791661274605434],
-  [0.0423756549057051, 0.0784336, 0.879142973793104]];
+  [0.0423756549057051, 0.0784336, 0.879142973793104],
+];
 const kAgxOutset = [
   [1.19687900512017, -0.0980208811401368, -0.0990297440797205],
   [-0.0528968517574562, 1.15190312990417, -0.0989611768448433],
-  [-0.0529716355144438, -0.0980434501171241, 1.15107367264116]];
+  [-0.0529716355144438, -0.0980434501171241, 1.15107367264116],
+];
 const kAgxPolynomial = [15.5, -40.14, 31.96, -6.868, 0.4298, 0.1191, -0.00232];
 const kAgxMinEv = -12.47393;
 const kAgxMaxEv = 4.026069;
@@ -56,14 +64,14 @@ function khronosNeutral(v) {
   const start = 0.8 - f90;
   const desaturation = 0.15;
   const x = Math.min(v[0], v[1], v[2]);
-  const offset = x < 2 * f90 ? x - x * x / (4 * f90) : f90;
+  const offset = x < 2 * f90 ? x - (x * x) / (4 * f90) : f90;
   v[0] -= offset;
   v[1] -= offset;
   v[2] -= offset;
   const peak = Math.max(v[0], v[1], v[2]);
   if (peak < start) return;
   const range = 1 - start;
-  const newPeak = 1 - range * range / (peak + range - start);
+  const newPeak = 1 - (range * range) / (peak + range - start);
   const toWhite = 1 - 1 / (desaturation * (peak - newPeak) + 1);
   const toPeak = newPeak / peak;
   for (let c = 0; c < 3; ++c) v[c] = v[c] * toPeak + (newPeak - v[c] * toPeak) * toWhite;

@@ -1,62 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Two of the pictures, over or beside each other.
 
-// All that can be looked at: techniques, references, direct light, error maps. A view is
-// {key, group, label, composed, indirect} with numbers of pictures (null: there is none), or
-// {key, group, label, entryKey, map} for an error map.
-function viewsOf(data) {
-  const views = [];
-  const add = (group, key, label, pictures) => {
-    if (pictures.composed !== null || pictures.indirect !== null)
-      views.push({key, group, label, ...pictures});
-  };
-  data.entries.forEach((entry, i) => add('Techniques', `entry-${i}`, entry.label, entry.pictures));
-  data.references.forEach((r, i) => add('References', `reference-${i}`, r.label, r.pictures));
-  add('Direct light', 'direct', 'direct light only', {composed: data.direct, indirect: null});
-  data.entries.forEach((entry, i) => entry.maps.forEach((map, k) => views.push({
-    key: `map-${i}-${k}`, group: 'Error maps', entryKey: `entry-${i}`, map,
-    label: `${metricLabel(data, map.metric)}: ${entry.label} / ${map.reference}`,
-  })));
-  return views;
-}
-
-const metricLabel = (data, name) => data.metrics.find((metric) => metric.name === name).label;
-
-// Pictures as the display shows them, at the present exposure, tone map and scale of the maps.
-class Screens {
-  constructor(data, store, onReady) {
-    this.store = store;
-    this.onReady = onReady;
-    this.exposureEv = data.exposure_ev ?? 0;
-    this.toneMap = data.tone_map;
-    this.mapScale = 1;
-    this.painted = new Map();
-  }
-
-  // A canvas of the picture's size; null while it is unpacked, and for a picture that is missing.
-  canvasOf(view, quantity) {
-    const number = view.map ? view.map.picture : view[quantity];
-    if (number === null) return null;
-    const codes = this.store.codes(number);
-    if (!codes) {
-      this.store.unpack(number, view.map ? 1 : 3).then(this.onReady);
-      return null;
-    }
-    const settings = view.map ? `${this.mapScale}` : `${this.exposureEv} ${this.toneMap}`;
-    let screen = this.painted.get(number);
-    if (screen?.settings === settings) return screen.canvas;
-    screen ??= {canvas: el('canvas', {width: this.store.width, height: this.store.height})};
-    screen.settings = settings;
-    this.painted.set(number, screen);
-    const image = new ImageData(this.store.width, this.store.height);
-    if (view.map) toMagma(codes, this.store.light, view.map.full_scale * this.mapScale, image.data);
-    else toDisplay(codes, this.store.light, this.exposureEv, this.toneMap, image.data);
-    screen.canvas.getContext('2d').putImageData(image, 0, 0);
-    return screen.canvas;
-  }
-}
-
-const kGap = 2;  // device pixels between the panes side by side
+const kGap = 2; // device pixels between the panes side by side
 
 class Viewer {
   constructor(data, store, views, screens) {
@@ -68,10 +13,12 @@ class Viewer {
     this.stage = byId('stage');
     this.canvas = byId('canvas');
     this.layout = 'wipe';
-    this.quantity = views.some((view) => typeof view.composed === 'number') ? 'composed' : 'indirect';
+    this.quantity = views.some((view) => typeof view.composed === 'number')
+      ? 'composed'
+      : 'indirect';
     this.divider = 0.5;
-    this.pointed = null;  // picture coordinates below the mouse
-    this.pinned = null;   // and where it was clicked
+    this.pointed = null; // picture coordinates below the mouse
+    this.pinned = null; // and where it was clicked
     this.defaultEv = screens.exposureEv;
     this.sides = firstSides(data, views);
     document.querySelector(`input[name="quantity"][value="${this.quantity}"]`).checked = true;
@@ -94,13 +41,20 @@ class Viewer {
       radio.addEventListener('change', () => this.setQuantity(radio.value));
     byId('exposure').addEventListener('input', () => this.setStops(Number(byId('exposure').value)));
     byId('exposure-reset').addEventListener('click', () => this.setStops(0));
-    byId('tone-map').append(...Object.keys(kToneMaps).map((name) => el('option', {value: name}, name)));
+    byId('tone-map').append(
+      ...Object.keys(kToneMaps).map((name) => el('option', {value: name}, name)),
+    );
     byId('tone-map').value = this.screens.toneMap;
     byId('tone-map').addEventListener('change', () => {
       this.screens.toneMap = byId('tone-map').value;
       this.update();
     });
-    for (const [id, by] of [['zoom-in', '+'], ['zoom-out', '-'], ['zoom-fit', '0'], ['zoom-one', '1']])
+    for (const [id, by] of [
+      ['zoom-in', '+'],
+      ['zoom-out', '-'],
+      ['zoom-fit', '0'],
+      ['zoom-one', '1'],
+    ])
       byId(id).addEventListener('click', () => {
         steerByKey(this.viewport, by);
         this.update();
@@ -186,7 +140,9 @@ class Viewer {
       '.': () => this.step(0, 1),
       '<': () => this.step(1, -1),
       '>': () => this.step(1, 1),
-      Escape: () => { this.pinned = null; },
+      Escape: () => {
+        this.pinned = null;
+      },
     };
     if (arrow && (onDivider || event.shiftKey)) this.moveDivider(this.divider + arrow * 0.02);
     else if (onDivider && event.key === 'Home') this.moveDivider(0);
@@ -212,8 +168,8 @@ class Viewer {
 
   toPane(event) {
     const box = this.canvas.getBoundingClientRect();
-    const stageX = (event.clientX - box.left) * this.canvas.width / box.width;
-    const y = (event.clientY - box.top) * this.canvas.height / box.height;
+    const stageX = ((event.clientX - box.left) * this.canvas.width) / box.width;
+    const y = ((event.clientY - box.top) * this.canvas.height) / box.height;
     const start = stageX >= this.paneWidth + kGap ? this.paneWidth + kGap : 0;
     return {x: stageX - start, y, stageX};
   }
@@ -222,7 +178,7 @@ class Viewer {
   fitStage() {
     const width = this.stage.clientWidth;
     const across = this.layout === 'side' ? 2 : 1;
-    const wanted = width / across * this.store.height / this.store.width;
+    const wanted = ((width / across) * this.store.height) / this.store.width;
     const height = Math.round(Math.min(Math.max(wanted, 160), Math.max(innerHeight * 0.74, 240)));
     this.stage.style.height = `${height}px`;
     this.canvas.width = Math.round(width * devicePixelRatio);
@@ -279,7 +235,8 @@ class Viewer {
       context.fillStyle = '#999';
       context.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
       context.textAlign = 'center';
-      const missing = this.quantity === 'indirect' ? 'no picture of indirect light' : 'no composed picture';
+      const missing =
+        this.quantity === 'indirect' ? 'no picture of indirect light' : 'no composed picture';
       const text = view.map || view[this.quantity] !== null ? 'unpacking …' : missing;
       context.fillText(text, (from + to) / 2, this.canvas.height / 2);
     }
@@ -292,7 +249,10 @@ class Viewer {
     const size = Math.max(zoom, 7 * devicePixelRatio);
     const left = x + (Math.floor(this.pinned.x) + 0.5) * zoom - size / 2;
     const top = y + (Math.floor(this.pinned.y) + 0.5) * zoom - size / 2;
-    for (const [color, width] of [['#000', 3], ['#fff', 1]]) {
+    for (const [color, width] of [
+      ['#000', 3],
+      ['#fff', 1],
+    ]) {
       context.strokeStyle = color;
       context.lineWidth = width * devicePixelRatio;
       context.strokeRect(left, top, size, size);
@@ -307,8 +267,9 @@ class Viewer {
     byId('right-label').textContent = right.label;
     byId('right-label').hidden = this.layout === 'one';
     const stops = this.screens.exposureEv - this.defaultEv;
-    byId('exposure-value').textContent =
-      `${stops < 0 ? '−' : '+'}${Math.abs(stops).toFixed(2)} stops (EV ${minus(this.screens.exposureEv.toFixed(2))})`;
+    const ev = minus(this.screens.exposureEv.toFixed(2));
+    const sign = stops < 0 ? '−' : '+';
+    byId('exposure-value').textContent = `${sign}${Math.abs(stops).toFixed(2)} stops (EV ${ev})`;
     const handle = byId('divider');
     handle.hidden = this.layout !== 'wipe';
     handle.style.left = `${this.divider * 100}%`;
@@ -321,32 +282,22 @@ class Viewer {
   // The pixel below the mouse, or the one that was clicked, or the middle of the view.
   showPixel() {
     const {x, y} = this.pinned ?? this.pointed ?? this.viewport.center;
-    const pixel = {x: Math.min(Math.floor(x), this.store.width - 1), y: Math.min(Math.floor(y), this.store.height - 1)};
+    const pixel = {
+      x: Math.min(Math.floor(x), this.store.width - 1),
+      y: Math.min(Math.floor(y), this.store.height - 1),
+    };
     const inside = pixel.x >= 0 && pixel.y >= 0;
     const from = this.pinned ? 'clicked' : this.pointed ? 'below the pointer' : 'in the middle';
-    const hint = this.pointed && document.activeElement !== this.stage
-      ? '; click the picture to zoom with the wheel' : '';
-    byId('status').textContent = `zoom ${Math.round(this.viewport.zoom * 100)} %` +
-      (inside ? `, pixel ${pixel.x}, ${pixel.y} (${from})` : '') + hint;
+    const hint =
+      this.pointed && document.activeElement !== this.stage
+        ? '; click the picture to zoom with the wheel'
+        : '';
+    byId('status').textContent =
+      `zoom ${Math.round(this.viewport.zoom * 100)} %` +
+      (inside ? `, pixel ${pixel.x}, ${pixel.y} (${from})` : '') +
+      hint;
     this.readOut.show(pixel, this.quantity, this.screens.exposureEv, this.screens.toneMap);
   }
 }
 
-// The first technique that does something, and the first reference.
-function firstSides(data, views) {
-  const busy = data.entries.findIndex((entry) => entry.technique_ms > 0);
-  const left = views.find((view) => view.key === `entry-${busy}`) ?? views[0];
-  const others = views.filter((view) => view !== left);
-  return [left, others.find((view) => view.group === 'References') ?? others[0] ?? left];
-}
-
 const nextOf = (list, value) => list[(list.indexOf(value) + 1) % list.length];
-
-function optionGroups(views) {
-  const groups = new Map();
-  for (const view of views) {
-    if (!groups.has(view.group)) groups.set(view.group, el('optgroup', {label: view.group}));
-    groups.get(view.group).append(el('option', {value: view.key}, view.label));
-  }
-  return [...groups.values()];
-}

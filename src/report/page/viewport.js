@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which part of the pictures is seen, and how mouse, touch and keys change that. All panes share one
-// viewport. Lengths on screen are device pixels.
+// Which part of the pictures is seen, and how mouse, touch and keys change that. All panes share
+// one viewport. Lengths on screen are device pixels.
 
 const kLargestZoom = 64;
 
@@ -47,17 +47,22 @@ class Viewport {
 
   // The picture fills the pane where it is larger, and is centred where it is smaller.
   keepInside() {
-    for (const [axis, side] of [['x', 'width'], ['y', 'height']]) {
+    for (const [axis, side] of [
+      ['x', 'width'],
+      ['y', 'height'],
+    ]) {
       const half = this.pane[side] / 2 / this.zoom;
       const size = this.picture[side];
-      this.center[axis] = size <= 2 * half ? size / 2
-        : Math.min(Math.max(this.center[axis], half), size - half);
+      this.center[axis] =
+        size <= 2 * half ? size / 2 : Math.min(Math.max(this.center[axis], half), size - half);
     }
   }
 
   toPicture(px, py) {
-    return {x: this.center.x + (px - this.pane.width / 2) / this.zoom,
-            y: this.center.y + (py - this.pane.height / 2) / this.zoom};
+    return {
+      x: this.center.x + (px - this.pane.width / 2) / this.zoom,
+      y: this.center.y + (py - this.pane.height / 2) / this.zoom,
+    };
   }
 
   // Where the picture's top left corner lies; whole pixels once pixels are magnified.
@@ -78,15 +83,19 @@ function steerByPointer(stage, viewport, {toPane, onView, onPoint, onPick}) {
 
   // The wheel belongs to the page until the stage has the focus; a pinch on a touchpad is a wheel
   // with Ctrl.
-  stage.addEventListener('wheel', (event) => {
-    if (document.activeElement !== stage && !event.ctrlKey) return;
-    event.preventDefault();
-    const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
-    const at = toPane(event);
-    viewport.zoomBy(2 ** (-event.deltaY * lines / (event.ctrlKey ? 100 : 300)), at.x, at.y);
-    onView();
-    onPoint(at);
-  }, {passive: false});
+  stage.addEventListener(
+    'wheel',
+    (event) => {
+      if (document.activeElement !== stage && !event.ctrlKey) return;
+      event.preventDefault();
+      const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 30 : 1;
+      const at = toPane(event);
+      viewport.zoomBy(2 ** ((-event.deltaY * lines) / (event.ctrlKey ? 100 : 300)), at.x, at.y);
+      onView();
+      onPoint(at);
+    },
+    {passive: false},
+  );
 
   stage.addEventListener('pointerdown', (event) => {
     if (event.button !== 0 || event.target.closest('.divider')) return;
@@ -101,7 +110,10 @@ function steerByPointer(stage, viewport, {toPane, onView, onPoint, onPick}) {
     if (before) {
       moved += Math.abs(now.stageX - before.stageX) + Math.abs(now.y - before.y);
       pinch(event.pointerId, before, now);
-      viewport.panBy((now.stageX - before.stageX) / pointers.size, (now.y - before.y) / pointers.size);
+      viewport.panBy(
+        (now.stageX - before.stageX) / pointers.size,
+        (now.y - before.y) / pointers.size,
+      );
       pointers.set(event.pointerId, now);
       onView();
     }
