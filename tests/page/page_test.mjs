@@ -215,6 +215,7 @@ for (const [name, test] of Object.entries(tests))
   await run(name, async () => {
     page.faults.length = 0;
     await page.reload();
+    await page.evaluate(() => scrollTo(0, 0)); // browsers go where one was before
     await settle(page);
     await test(page);
     assert.deepEqual(page.faults, []);

@@ -58,11 +58,10 @@ class Viewport {
     }
   }
 
+  // The place of the picture that is drawn at a place of the pane.
   toPicture(px, py) {
-    return {
-      x: this.center.x + (px - this.pane.width / 2) / this.zoom,
-      y: this.center.y + (py - this.pane.height / 2) / this.zoom,
-    };
+    const {x, y} = this.origin;
+    return {x: (px - x) / this.zoom, y: (py - y) / this.zoom};
   }
 
   // Where the picture's top left corner lies; whole pixels once pixels are magnified.
