@@ -6,8 +6,9 @@
 #include "arguments.h"
 #include "base/try.h"
 #include "commands.h"
-#include "console.h"
+#include "frame_options.h"
 #include "reference_job.h"
+#include "reference_list.h"
 
 namespace lueur::cli {
 namespace {
@@ -18,11 +19,9 @@ struct Options {
   std::string mode = "path";
   std::string bounces = "1";
   std::string spp = "256";
-  std::string error_target;
-  std::string size = "1280x720";
-  std::string camera;
+  std::string error;
+  FrameOptions frame;
   std::string time_s = "0";
-  std::string seed = "0";
   std::string distance_m = "1";
   std::string form_factor = "disc";
   std::string threads = "0";
@@ -33,65 +32,38 @@ struct Options {
   bool json = false;
 };
 
-Result<reference::Mode> parse_mode(const std::string& text) {
-  std::vector<std::string> names;
-  for (const reference::ModeName& row : reference::mode_names()) {
-    if (row.name == text) return row.mode;
-    names.emplace_back(row.name);
-  }
-  return Error{ErrorKind::usage, "--mode '" + text + "': expected one of " + joined(names)};
-}
-
-Result<reference::FormFactor> parse_form_factor(const std::string& text) {
-  if (text == "disc") return reference::FormFactor::disc;
-  if (text == "point") return reference::FormFactor::point;
-  return Error{ErrorKind::usage, "--form-factor '" + text + "': expected one of disc, point"};
-}
-
 Result<reference::Settings> parse_settings(const Options& options) {
   reference::Settings settings;
-  LUEUR_TRY(mode, parse_mode(options.mode));
+  LUEUR_TRY(mode, parse_mode("--mode", options.mode));
   settings.mode = mode;
-  LUEUR_TRY(bounces, parse_count("--bounces", options.bounces, 1, reference::kMaxBounces));
-  settings.bounces = bounces;
-  const uint32_t least_spp = mode == reference::Mode::screen_unoccluded ? 0 : 1;
-  LUEUR_TRY(spp, parse_count("--spp", options.spp, least_spp, reference::kMaxSpp));
-  settings.spp = spp;
-  if (!options.error_target.empty()) {
-    LUEUR_TRY(target, parse_real("--error", options.error_target, 1.0f));
-    if (!(target > 0.0f))
-      return Error{ErrorKind::usage, "--error " + options.error_target +
-                                         ": expected a share above 0, such as 0.01 for 1 %"};
-    settings.target_error = static_cast<double>(target);
-  }
-  LUEUR_TRY(seed, parse_count("--seed", options.seed, 0, UINT32_MAX));
-  settings.seed = seed;
-  LUEUR_TRY(distance_m, parse_real("--distance", options.distance_m, 1e6f));
-  if (!(distance_m > 0.0f))
-    return Error{ErrorKind::usage,
-                 "--distance " + options.distance_m + ": expected metres above 0"};
-  settings.ambient_distance_m = distance_m;
-  LUEUR_TRY(form_factor, parse_form_factor(options.form_factor));
-  settings.form_factor = form_factor;
+  const std::pair<const char*, const std::string*> given[] = {
+      {"bounces", &options.bounces},
+      {"spp", &options.spp},
+      {"error", &options.error},
+      {"distance", &options.distance_m},
+      {"form-factor", &options.form_factor}};
+  for (const auto& [key, value] : given)
+    if (!value->empty()) LUEUR_TRY_VOID(set_reference(settings, "--", key, *value));
   return settings;
 }
 
 Result<ReferenceJob> check(const Options& options) {
   ReferenceJob job;
   job.scene = options.scene;
-  job.camera = options.camera;
+  job.camera = options.frame.camera;
   job.resume = options.resume;
-  job.use_cache = !options.no_cache;
+  if (options.no_cache) job.cache = reference::Cache::ignore;
   job.json = options.json;
   if (options.outputs.empty())
     return Error{ErrorKind::usage, "reference: nowhere to write; name a file with -o FILE.exr"};
-  LUEUR_TRY(size, parse_size(options.size));
-  job.shot.width = size.width;
-  job.shot.height = size.height;
+  LUEUR_TRY(frame, check(options.frame));
+  job.shot.width = frame.size.width;
+  job.shot.height = frame.size.height;
   LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
   job.shot.time_s = time_s;
   LUEUR_TRY(settings, parse_settings(options));
   job.settings = settings;
+  job.settings.seed = frame.seed;
   LUEUR_TRY(threads, parse_count("--threads", options.threads, 0, 1024));
   job.threads = threads;
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
@@ -101,7 +73,7 @@ Result<ReferenceJob> check(const Options& options) {
     LUEUR_TRY(exposure_ev, parse_exposure(options.exposure));
     job.exposure_ev = exposure_ev;
   }
-  LUEUR_TRY(destinations, check_destinations(options.outputs, size));
+  LUEUR_TRY(destinations, check_destinations(options.outputs, frame.size));
   job.destinations = destinations;
   return job;
 }
@@ -140,14 +112,12 @@ void add_options(CLI::App* command, const std::shared_ptr<Options>& options) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     return command->add_option(flag, value, help)->type_name(type);
   };
+  add_view_options(*command, options->frame);
   add("--mode", options->mode, "What is computed, see below (default path)", "MODE");
   add("--bounces", options->bounces, "Surfaces between light and receiver (default 1)", "N");
   add("--spp", options->spp, "Samples a pixel (default 256)", "N");
-  add("--error", options->error_target, "Stop at this estimated relative error", "SHARE");
-  add("--size", options->size, "In pixels (default 1280x720)", "WxH");
-  add("--camera", options->camera, "A camera's name or number (default: first)", "NAME|N");
+  add("--error", options->error, "Stop at this estimated relative error", "SHARE");
   add("--time", options->time_s, "Seconds into the animation (default 0)", "SECONDS");
-  add("--seed", options->seed, "Pattern of samples (default 0)", "N");
   add("--distance", options->distance_m, "Reach of ambient, in metres (default 1)", "M");
   add("--form-factor", options->form_factor, "Of screen-unoccluded: disc or point", "KIND");
   add("--threads", options->threads, "0: as many as the machine has (default)", "N");
@@ -163,9 +133,7 @@ void add_options(CLI::App* command, const std::shared_ptr<Options>& options) {
 void add_reference(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("reference", "Trace the true indirect light");
   auto options = std::make_shared<Options>();
-  command->add_option("SCENE", options->scene, "A built-in scene or a glTF file")
-      ->type_name("")
-      ->required();
+  add_scene_argument(*command, options->scene);
   command->add_option("-o,--output", options->outputs, "Picture, .exr or .png; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -12,8 +12,8 @@ namespace lueur::cli {
 
 // The exit codes, which every --help lists.
 inline constexpr int kExitDone = 0;
-inline constexpr int kExitFinding = 1;  // --scan, --validate or --fail-above found something
-inline constexpr int kExitDefect = 70;  // an error of our own that nothing above covers
+inline constexpr int kExitFinding = 1;        // --scan, --validate or --fail-above found something
+inline constexpr int kExitDefect = 70;        // an error of our own that nothing above covers
 inline constexpr int kExitInterrupted = 130;  // by SIGINT or SIGTERM; what there was is written
 int exit_code(ErrorKind kind);
 

@@ -8,11 +8,16 @@
 
 namespace lueur::cli {
 
-void add_frame_options(CLI::App& command, FrameOptions& options) {
-  command.add_option("--size", options.size, "In pixels (default 1280x720)")->type_name("WxH");
+void add_view_options(CLI::App& command, FrameOptions& options) {
+  command.add_option("--size", options.size, "In pixels (default " + options.size + ")")
+      ->type_name("WxH");
   command.add_option("--camera", options.camera, "A camera's name or number (default: first)")
       ->type_name("NAME|N");
   command.add_option("--seed", options.seed, "Pattern of samples (default 0)")->type_name("N");
+}
+
+void add_frame_options(CLI::App& command, FrameOptions& options) {
+  add_view_options(command, options);
   command.add_option("--device", options.device, "Number or name, see `lueur devices`")
       ->type_name("N|NAME");
 }

@@ -27,7 +27,9 @@ struct TechniqueOptions {
   std::vector<std::string> settings;
 };
 
-// --size, --camera, --seed, --device.
+// --size, --camera, --seed: what is looked at, also without a device.
+void add_view_options(CLI::App& command, FrameOptions& options);
+// Those and --device.
 void add_frame_options(CLI::App& command, FrameOptions& options);
 
 // --technique, --set; choose_technique() checks them.

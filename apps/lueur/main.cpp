@@ -61,6 +61,7 @@ int run(int argc, char** argv) {
   Outcome outcome = kExitDone;
   add_render(program, outcome);
   add_reference(program, outcome);
+  add_compare(program, outcome);
   add_bench(program, outcome);
   add_diff(program, outcome);
   add_scene(program, outcome);

@@ -11,7 +11,6 @@
 #include "image/png.h"
 #include "interrupt.h"
 #include "json_output.h"
-#include "reference/rendering_file.h"
 #include "session.h"
 
 namespace lueur::cli {
@@ -20,14 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr uint64_t kMaxStateBytes = uint64_t{1} << 36;
-
-std::string text_of(const reference::Progress& p) {
-  char line[160];
-  std::snprintf(line, sizeof(line), "%u of %u samples a pixel, error %.2f %%, %.0f s left",
-                p.spp_done, p.spp_total,
-                std::isfinite(p.relative_error) ? 100.0 * p.relative_error : 100.0, p.seconds_left);
-  return line;
-}
 
 Result<reference::CachedRendering> trace(const ReferenceJob& job, const Scene& scene,
                                          const std::stop_token& stop) {
@@ -38,19 +29,14 @@ Result<reference::CachedRendering> trace(const ReferenceJob& job, const Scene& s
   }
   reference::Control control{
       .threads = job.threads,
-      .progress = [](const reference::Progress& p) { print_progress(text_of(p)); },
+      .progress = [](const reference::Progress& p) { print_progress(describe(p)); },
       .stop = stop,
       .checkpoint =
           [&](const std::vector<uint8_t>& bytes) {
             if (const auto kept = write_file(state_path(job), bytes); !kept.ok())
               print_warning(kept.error().message);
           }};
-  if (job.use_cache) {
-    LUEUR_TRY(cached, reference::render_cached(scene, job.shot, job.settings, control, state));
-    return std::move(cached);
-  }
-  LUEUR_TRY(rendering, reference::render(scene, job.shot, job.settings, control, state));
-  return reference::CachedRendering{std::move(rendering), false, ""};
+  return reference::render_cached(scene, job.shot, job.settings, control, state, job.cache);
 }
 
 std::map<std::string, std::string> attributes(const ReferenceJob& job) {
@@ -125,6 +111,14 @@ Json report_json(const ReferenceJob& job, const reference::CachedRendering& resu
 }
 
 }  // namespace
+
+std::string describe(const reference::Progress& p) {
+  char line[160];
+  std::snprintf(line, sizeof(line), "%u of %u samples a pixel, error %.2f %%, %.0f s left",
+                p.spp_done, p.spp_total,
+                std::isfinite(p.relative_error) ? 100.0 * p.relative_error : 100.0, p.seconds_left);
+  return line;
+}
 
 fs::path state_path(const ReferenceJob& job) {
   fs::path path = job.destinations.front().path;

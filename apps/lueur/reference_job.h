@@ -9,7 +9,7 @@
 #include "commands.h"
 #include "destination.h"
 #include "image/tone_map.h"
-#include "reference/reference.h"
+#include "reference/rendering_file.h"
 
 namespace lueur::cli {
 
@@ -20,7 +20,7 @@ struct ReferenceJob {
   reference::Settings settings;
   uint32_t threads = 0;
   bool resume = false;
-  bool use_cache = true;
+  reference::Cache cache = reference::Cache::use;
 
   std::optional<float> exposure_ev;  // stops; none: the scene's own, or metered
   bool meter_exposure = false;
@@ -31,6 +31,9 @@ struct ReferenceJob {
 
 // Where an interrupted rendering keeps what continues it: beside the first picture.
 std::filesystem::path state_path(const ReferenceJob& job);
+
+// One line: samples done, error, time left.
+std::string describe(const reference::Progress& progress);
 
 // Traces, writes, reports. kExitInterrupted after SIGINT or SIGTERM, with what there was written.
 Outcome run_reference(ReferenceJob& job);

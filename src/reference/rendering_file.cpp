@@ -73,10 +73,10 @@ Result<Rendering> read_rendering(const fs::path& path) {
 
 Result<CachedRendering> render_cached(const Scene& scene, const Shot& shot,
                                       const Settings& settings, const Control& control,
-                                      std::span<const uint8_t> resume_from) {
+                                      std::span<const uint8_t> resume_from, Cache cache) {
   CachedRendering result;
   fs::path path;
-  if (const fs::path folder = cache_folder(); !folder.empty()) {
+  if (const fs::path folder = cache_folder(); cache == Cache::use && !folder.empty()) {
     std::error_code error;
     fs::create_directories(folder / "references", error);
     if (error)

@@ -25,8 +25,10 @@ struct CachedRendering {
   bool from_cache = false;
   std::string cache_note;
 };
+enum class Cache : uint8_t { use, ignore };  // ignore: render() alone
 Result<CachedRendering> render_cached(const Scene& scene, const Shot& shot,
                                       const Settings& settings, const Control& control = {},
-                                      std::span<const uint8_t> resume_from = {});
+                                      std::span<const uint8_t> resume_from = {},
+                                      Cache cache = Cache::use);
 
 }  // namespace lueur::reference

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What `lueur compare` is to do, all of it checked, and the doing.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "frame_options.h"
+#include "reference/rendering_file.h"
+#include "reference_list.h"
+#include "technique_list.h"
+
+namespace lueur::cli {
+
+struct CompareJob {
+  std::string scene;
+  FrameOptions frame;  // as typed
+  FrameSetup setup;
+  std::vector<ChosenTechnique> techniques;  // at least one
+  std::vector<ChosenReference> references;
+  uint32_t frames = 0;  // timed, of each technique
+  reference::Cache cache = reference::Cache::use;
+  std::filesystem::path folder;
+  std::string command;  // what reproduces it
+  bool json = false;
+};
+
+// Traces the references, renders and times the techniques, writes the page and its tables, and
+// prints the errors. kExitInterrupted, and nothing written, after SIGINT or SIGTERM.
+Outcome run_compare(CompareJob& job);
+
+}  // namespace lueur::cli

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "comparison_pictures.h"
+
+#include <string_view>
+
+#include "base/check.h"
+#include "base/try.h"
+#include "image/picture_error.h"
+#include "picture.h"
+
+namespace lueur::cli {
+namespace {
+
+constexpr std::string_view kIndirectMetrics[] = {"rmse", "rel_mse", "bias", "rmse_scaled"};
+// The relative error that a map shows brightest: half of the light.
+constexpr double kFullRelativeError = 0.5;
+
+ImageF image_named(std::span<const Pixels> rendered, std::string_view name) {
+  const Pixels* pixels = find_pixels(rendered, name);
+  LUEUR_CHECK(pixels != nullptr);
+  return as_image(*pixels, 3);
+}
+
+double value_of(const PictureErrors& errors, std::string_view metric) {
+  for (const ErrorMetric& row : kErrorMetrics)
+    if (row.name == metric) return errors.*row.value;
+  LUEUR_CHECK(!"a metric that picture_error.h does not know");
+  return 0.0;
+}
+
+}  // namespace
+
+ImageF direct_of(std::span<const Pixels> rendered) {
+  ImageF direct = image_named(rendered, "source");
+  const ImageF specular = image_named(rendered, "specular");
+  for (size_t i = 0; i < direct.samples.size(); ++i) direct.samples[i] += specular.samples[i];
+  return direct;
+}
+
+report::Pictures pictures_of(const reference::Rendering& rendering,
+                             std::span<const Pixels> rendered) {
+  report::Pictures pictures{direct_of(rendered), *find_layer(rendering, "indirect")};
+  const ImageF albedo = image_named(rendered, "albedo");
+  const ImageF* specular = find_layer(rendering, "indirect_specular");
+  for (size_t i = 0; i < albedo.samples.size(); ++i) {
+    pictures.composed.samples[i] += albedo.samples[i] * pictures.indirect.samples[i];
+    if (specular) pictures.composed.samples[i] += specular->samples[i];
+  }
+  return pictures;
+}
+
+report::Pictures pictures_of(std::span<const Pixels> rendered) {
+  report::Pictures pictures{image_named(rendered, "composed"), {}};
+  const Pixels* indirect = find_pixels(rendered, "indirect");
+  pictures.indirect = indirect ? as_image(*indirect, 3)
+                               : ImageF(pictures.composed.width, pictures.composed.height, 3);
+  return pictures;
+}
+
+std::vector<report::Metric> comparison_metrics() {
+  std::vector<report::Metric> metrics = report::standard_metrics();
+  const size_t standard = metrics.size();
+  for (const std::string_view name : kIndirectMetrics) {
+    for (size_t i = 0; i < standard; ++i) {
+      if (metrics[i].name != name) continue;
+      report::Metric metric = metrics[i];
+      metric.name = "indirect_" + metric.name;
+      metric.label = "indirect " + metric.label;
+      metric.summary = "The same of indirect light alone, E/π before albedo. " + metric.summary;
+      metrics.push_back(std::move(metric));
+    }
+  }
+  return metrics;
+}
+
+Result<report::Errors> errors_between(const report::Pictures& test,
+                                      const report::Pictures& reference,
+                                      const std::string& reference_label, const Mask& surfaces) {
+  LUEUR_TRY(composed, scene_errors(test.composed, reference.composed, &surfaces));
+  LUEUR_TRY(indirect, scene_errors(test.indirect, reference.indirect, &surfaces));
+  report::Errors errors{reference_label, {}, {}};
+  for (const report::Metric& metric : report::standard_metrics())
+    errors.values.push_back({metric.name, value_of(composed, metric.name)});
+  for (const std::string_view name : kIndirectMetrics)
+    errors.values.push_back({"indirect_" + std::string(name), value_of(indirect, name)});
+  errors.maps.push_back({"flip", std::move(composed.flip_map), 1.0});
+  errors.maps.push_back({"indirect_rel_mse", std::move(indirect.relative_map), kFullRelativeError});
+  return errors;
+}
+
+}  // namespace lueur::cli
