@@ -58,7 +58,8 @@ ImageF decoded(const ImageF& picture) {
   for (size_t code = 0; code < linear.size(); ++code)
     linear[code] = linear_from_srgb(static_cast<float>(code) / 255.0f);
   ImageF result = picture;
-  for (float& sample : result.samples) sample = linear[static_cast<size_t>(sample * 255.0f + 0.5f)];
+  for (float& sample : result.samples)
+    sample = linear[static_cast<size_t>(std::lround(sample * 255.0f))];
   return result;
 }
 
