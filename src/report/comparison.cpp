@@ -56,7 +56,8 @@ void check(const Comparison& comparison) {
 // What the page shows: the results, and pictures by their number.
 class PageData {
  public:
-  explicit PageData(const Comparison& comparison) : data_(results_json(comparison)) {
+  explicit PageData(const Comparison& comparison)
+      : title_(comparison.title), data_(results_json(comparison)) {
     data_["dropped_bits"] = kDroppedBits;
     for (size_t i = 0; i < comparison.references.size(); ++i) {
       const Reference& reference = comparison.references[i];
@@ -70,8 +71,14 @@ class PageData {
     data_["direct"] = add(comparison.direct, "direct light only");
   }
 
-  Json&& data() && { return std::move(data_); }
-  std::vector<std::string>&& pictures() && { return std::move(pictures_); }
+  Page page() && {
+    return {.title = std::move(title_),
+            .skeleton = kComparisonSkeleton,
+            .styles = {kBaseStyle, kComparisonStyle},
+            .scripts = {kComparisonScripts.begin(), kComparisonScripts.end()},
+            .data = std::move(data_),
+            .packed_pictures = std::move(pictures_)};
+  }
 
  private:
   Json add(const ImageF& image, const std::string& name) {
@@ -108,19 +115,10 @@ class PageData {
     return maps;
   }
 
+  std::string title_;
   Json data_;
   std::vector<std::string> pictures_;
 };
-
-std::string comparison_html(const Comparison& comparison) {
-  PageData page_data(comparison);
-  return page_html({.title = comparison.title,
-                    .skeleton = kComparisonSkeleton,
-                    .styles = {kBaseStyle, kComparisonStyle},
-                    .scripts = {kComparisonScripts.begin(), kComparisonScripts.end()},
-                    .data = std::move(page_data).data(),
-                    .packed_pictures = std::move(page_data).pictures()});
-}
 
 }  // namespace
 
@@ -129,7 +127,7 @@ Result<void> write_comparison(const Comparison& comparison, const std::filesyste
   LUEUR_TRY_VOID(make_folder(folder));
   LUEUR_TRY_VOID(write_file(folder / "results.json", json_file(results_json(comparison))));
   LUEUR_TRY_VOID(write_file(folder / "results.csv", results_csv(comparison)));
-  return write_file(folder / "index.html", comparison_html(comparison));
+  return write_file(folder / "index.html", page_html(PageData(comparison).page()));
 }
 
 }  // namespace lueur::report

@@ -77,7 +77,7 @@ std::string csv_number(double value) {
 }
 
 std::string csv_text(std::string_view text) {
-  const std::string clean = valid_utf8(text);
+  std::string clean = valid_utf8(text);
   if (clean.find_first_of(",\"\r\n") == std::string::npos) return clean;
   std::string quoted = "\"";
   for (const char c : clean) {
