@@ -21,7 +21,7 @@ function showPlot(box, plot) {
 }
 
 function plotSvg(plot, width) {
-  const height = Math.round(Math.min(Math.max(width * 0.55, 220), 380));
+  const height = Math.round(Math.min(Math.max(width * 0.55, 290), 380));
   const shown = ({x, y}) =>
     Number.isFinite(x) && Number.isFinite(y) && !(plot.x.log && x <= 0) && !(plot.y.log && y <= 0);
   const series = plot.series.map((s) => ({...s, points: s.points.filter(shown)}));
