@@ -42,6 +42,9 @@ Result<Assignment> parse_assignment(std::string_view flag, std::string_view text
 // The parts of "a,b,c"; one more than there are separators, so "" has one.
 std::vector<std::string> split(std::string_view text, char separator);
 
+// As one word for a shell: in single quotes where anything in it is more than a plain character.
+std::string shell_quoted(const std::string& text);
+
 // "a, b, c"
 std::string joined(const std::vector<std::string>& words);
 

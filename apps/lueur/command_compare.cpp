@@ -24,21 +24,11 @@ struct Options {
   bool json = false;
 };
 
-// For a shell: in single quotes where anything in it is more than a plain character.
-std::string quoted(const std::string& text) {
-  constexpr char kPlain[] =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./:=,@+";
-  if (!text.empty() && text.find_first_not_of(kPlain) == std::string::npos) return text;
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 // Everything that decides the result, defaults included, so that it holds for later versions, too.
 std::string command_of(const Options& options) {
-  std::string command = "lueur compare " + quoted(options.scene);
+  std::string command = "lueur compare " + shell_quoted(options.scene);
   const auto add = [&](const char* flag, const std::string& value) {
-    if (!value.empty()) command += std::string(" ") + flag + " " + quoted(value);
+    if (!value.empty()) command += std::string(" ") + flag + " " + shell_quoted(value);
   };
   add("--techniques", options.techniques);
   add("--reference", options.references);

@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   add_reference(program, outcome);
   add_compare(program, outcome);
   add_bench(program, outcome);
+  add_paper(program, outcome);
   add_diff(program, outcome);
   add_scene(program, outcome);
   add_devices(program, outcome);

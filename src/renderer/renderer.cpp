@@ -195,6 +195,12 @@ void FramePasses::compose(RenderedImages& images) {
 
 }  // namespace
 
+View view_of(const Scene& scene, const Shot& shot) {
+  const Camera& camera = scene.cameras[static_cast<size_t>(shot.camera)];
+  const std::vector<glm::mat4> posed = pose(scene, shot.time_s);
+  return view_of_camera(camera, posed[static_cast<size_t>(camera.node)], shot.extent);
+}
+
 Renderer::Renderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
 Renderer::~Renderer() = default;
 

@@ -24,6 +24,9 @@ struct Shot {
   uint32_t seed = 0;
 };
 
+// The view of the shot's camera: reversed z, infinitely far plane.
+View view_of(const Scene& scene, const Shot& shot);
+
 // All images of one frame, W x H; linear Rec.709 where they hold light (cd/m² for glTF scenes).
 struct RenderedImages {
   Image depth;     // d32f, reversed z, infinitely far plane, 0 where nothing is

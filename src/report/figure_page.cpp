@@ -116,8 +116,12 @@ Result<Json> page_json(const FigurePage& page, const BlockWriter& writer) {
 
 }  // namespace
 
+Result<Json> figures_json(const FigurePage& page) {
+  return page_json(page, {.with_pictures = false});
+}
+
 Result<void> write_figure_page(const FigurePage& page, const std::filesystem::path& folder) {
-  LUEUR_TRY(numbers, page_json(page, {.with_pictures = false}));
+  LUEUR_TRY(numbers, figures_json(page));
   LUEUR_TRY(data, page_json(page, {.with_pictures = true}));
   LUEUR_TRY_VOID(make_folder(folder));
   LUEUR_TRY_VOID(write_file(folder / "figures.json", json_file(numbers)));

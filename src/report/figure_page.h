@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <variant>
@@ -89,6 +90,9 @@ struct FigurePage {
   std::vector<std::string> warnings;
   std::vector<FigureSection> sections;
 };
+
+// figures.json: everything but the pictures.
+Result<nlohmann::ordered_json> figures_json(const FigurePage& page);
 
 // Writes two files into `folder`, which is made where it is missing. Each is all or nothing:
 //   figures.json  everything but the pictures

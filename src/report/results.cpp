@@ -113,8 +113,9 @@ std::vector<Metric> standard_metrics() {
        "Structural similarity of the displayed picture: 1 for equal pictures."},
       {"flip", "FLIP", "", Better::lower,
        "Mean difference as seen when flipping between the displayed pictures, 0 to 1."},
-      {"bias", "bias", "radiance", Better::nearer_zero,
-       "Mean signed difference of linear light: above 0 the technique is too bright."},
+      {"bias", "bias", "", Better::nearer_zero,
+       "Mean signed difference of linear light over the reference's mean: above 0 the technique is "
+       "too bright."},
       {"rmse_scaled", "RMSE scaled", "radiance", Better::lower,
        "RMSE after the best common factor for brightness: the error of shape that is left."},
   };

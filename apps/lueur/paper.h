@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// The tables and figures of a paper, made again: its figures beside ours, as ratios within each
+// table, since a graphics card of its day says nothing about today's milliseconds.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "commands.h"
+#include "frame_options.h"
+#include "reference/rendering_file.h"
+#include "report/figure_page.h"
+#include "session.h"
+
+namespace lueur::cli {
+
+// What all papers are made with.
+struct PaperSetup {
+  Extent picture_size;  // of figures that show pictures
+  Extent table_size;    // of tables of times
+  uint32_t spp = 0;     // of references
+  uint32_t frames = 0;  // timed, of each row
+  uint32_t seed = 0;
+  reference::Cache cache = reference::Cache::use;
+  std::stop_token stop;
+};
+
+struct PaperFigure {
+  std::string_view number;  // in the paper
+  std::string_view title;
+  Result<report::FigureSection> (*make)(Session& session, const PaperSetup& setup);
+};
+
+struct Paper {
+  std::string_view name;  // as on the command line
+  std::string_view title;
+  std::span<const PaperFigure> figures;
+};
+std::span<const Paper> papers();
+
+// HSSIL: Soler, Hoel, Rochet, Holzschuch, INRIA RR-7162, 2009.
+namespace hssil {
+// Figure 4: what each level contributes.
+Result<report::FigureSection> levels(Session& session, const PaperSetup& setup);
+// Figure 5: equation (3) beside equation (4) beside the truth, with a slice through each.
+Result<report::FigureSection> form_factors(Session& session, const PaperSetup& setup);
+// Figures 6 and 7: what settings and levels cost.
+Result<report::FigureSection> costs(Session& session, const PaperSetup& setup);
+}  // namespace hssil
+
+// `lueur paper`: which figures of which paper, and where to.
+struct PaperJob {
+  const Paper* paper = nullptr;
+  std::vector<const PaperFigure*> figures;
+  PaperSetup setup;
+  std::string device;
+  std::filesystem::path folder;  // of the page; empty: none
+  std::string command;
+  bool json = false;
+};
+Outcome run_paper(PaperJob& job);
+
+}  // namespace lueur::cli
