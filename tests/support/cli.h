@@ -54,8 +54,15 @@ class Cli : public testing::Test {
 
   // Runs the program in the folder. Its stdout goes to the file `out`; "" closes it.
   Ended run(const Arguments& arguments, const std::string& out = "stdout") const {
+    return run_other(LUEUR_PROGRAM, arguments, out);
+  }
+
+  // Runs any program, found as the shell finds it, the same way. One that is missing ends with 127;
+  // one that takes more than `limit_s` seconds is ended by a signal, unless that is 0.
+  Ended run_other(const std::string& program, const Arguments& arguments,
+                  const std::string& out = "stdout", unsigned limit_s = 0) const {
     const std::string cache = (base_ / "cache").string();
-    std::vector<char*> argv = {const_cast<char*>(LUEUR_PROGRAM)};
+    std::vector<char*> argv = {const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments)
       argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
@@ -70,7 +77,8 @@ class Cli : public testing::Test {
       ::close(STDOUT_FILENO);
       if (!out.empty() && ::open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600) != STDOUT_FILENO)
         ::_exit(126);
-      ::execv(LUEUR_PROGRAM, argv.data());
+      ::alarm(limit_s);  // outlives exec
+      ::execvp(program.c_str(), argv.data());
       ::_exit(127);
     }
     int status = 0;
