@@ -115,30 +115,31 @@ class CyclesTest : public Cli {
   }
 
   // Light without noise. Cycles spreads its rays over a hundredth of a pixel and loses some that
-  // start on the edge between two triangles: lines of pixels where one of its samples is another.
-  void expect_equal(const ImageF& ours, const ImageF& theirs) const {
-    uint32_t others = 0;
+  // start on the edge between two triangles, so single pixels along edges may be others.
+  static void expect_equal(const ImageF& ours, const ImageF& theirs) {
     double mean_ours = 0, mean_theirs = 0;
+    for (const float value : ours.samples) mean_ours += value;
+    for (const float value : theirs.samples) mean_theirs += value;
+    const double least = 0.1 * mean_theirs / static_cast<double>(theirs.samples.size());
+    uint32_t others = 0;
     for (uint32_t i = 0; i < kSide * kSide; ++i) {
       bool is_other = false;
       for (uint32_t c = 0; c < 3; ++c) {
-        const float a = ours.samples[3 * i + c], b = theirs.samples[3 * i + c];
-        is_other |= std::abs(a - b) > 1e-3f * std::abs(b) + 1e-6f;
-        mean_ours += a;
-        mean_theirs += b;
+        const double a = ours.samples[3 * i + c], b = theirs.samples[3 * i + c];
+        is_other |= std::abs(a - b) > 0.01 * (b + least);
       }
-      others += is_other;
+      others += is_other ? 1 : 0;
     }
     EXPECT_GT(mean_theirs, 0.0);
     EXPECT_NEAR(mean_ours / mean_theirs, 1.0, 1e-3);
-    EXPECT_LE(others, kSide * kSide / 32);
-    std::printf("direct: %+.4f %%, %u of %u pixels differ by more than 0.1 %%\n",
+    EXPECT_LE(others, kSide * kSide / 100);
+    std::printf("direct: bias %+.4f %%, %u of %u pixels differ by more than 1 %%\n",
                 100 * (mean_ours / mean_theirs - 1), others, kSide * kSide);
   }
 
-  // Five standard errors are passed once in two million times, and squares are a hundred or so
-  // with errors that are estimates themselves. A thousandth is left for roundings of Cycles, whose
-  // light sources and rays are moved off surfaces by other amounts than ours.
+  // Five standard errors are passed by chance once in two million times; a thousandth is left for
+  // the rays that Cycles loses. All errors are estimates themselves: that of a square of 64 pixels
+  // to a tenth, more where few paths carry most of its light.
   static void expect_agreement(const Agreement& a) {
     std::printf("indirect: %s\n", to_string(a).c_str());
     EXPECT_LE(std::abs(a.bias), 5.0 * a.standard_error + 1e-3);
