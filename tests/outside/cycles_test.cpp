@@ -186,7 +186,7 @@ TEST_F(CyclesTest, LightsOverAFloor) {
     for (uint32_t y = 0; y < kSide; ++y) {
       for (uint32_t x = 0; x < kSide; ++x) {
         const auto metres = [](uint32_t pixel) {
-          return ((static_cast<float>(pixel) + 0.5f) / kSide - 0.5f) * kFloorHeight_m;
+          return ((static_cast<float>(pixel) + 0.5f) / kSide - 0.5f) * kFloorHeight;
         };
         const glm::vec3 way = place - glm::vec3(metres(x), 0.0f, metres(y));
         const float distance = glm::length(way);

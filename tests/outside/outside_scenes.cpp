@@ -76,9 +76,9 @@ Scene floor_below(const Light& light, glm::vec3 place, glm::vec3 direction) {
   scene.name = "floor";
   const int32_t grey = add_diffuse(scene, "grey", glm::vec3(kFloorAlbedo));
   add_box(scene, "floor", grey, {-5, -0.2f, -5}, {5, 0, 5});
-  constexpr float kEyeHeight_m = 10.0f;
-  builtin::add_camera(scene, "above", {0, kEyeHeight_m, 0}, glm::vec3(0.0f),
-                      2.0f * std::atan(0.5f * kFloorHeight_m / kEyeHeight_m));
+  constexpr float kEyeHeight = 10.0f;  // m
+  builtin::add_camera(scene, "above", {0, kEyeHeight, 0}, glm::vec3(0.0f),
+                      2.0f * std::atan(0.5f * kFloorHeight / kEyeHeight));
   add_light(scene, light, place, direction);
   return scene;
 }

@@ -15,7 +15,7 @@ Scene cornell_lit_by_glow();
 // A floor of albedo 0.5 at height 0, seen from straight above: the picture's height is 4 m of it,
 // its left is -x, and its top is -z.
 inline constexpr float kFloorAlbedo = 0.5f;
-inline constexpr float kFloorHeight_m = 4.0f;  // of the picture
+inline constexpr float kFloorHeight = 4.0f;  // m, of the picture
 Scene floor_below(const Light& light, glm::vec3 place, glm::vec3 direction);
 
 // A chequered floor and two walls in the sun and the light of a lamp, a box, a metal ball and a
