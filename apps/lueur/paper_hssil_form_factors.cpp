@@ -70,7 +70,8 @@ Result<ImageF> gather(Session& session, const Scene& scene, const reference::Ren
   // r = 40 in the paper's rings from r to 2 r, four levels of 64 samples, no filter over time.
   LUEUR_TRY(chosen, choose_technique("hierarchical",
                                      {"start=full", "levels=4", "samples=64", "sample_growth=1",
-                                      "radius=80", std::string("form_factor=") + form_factor}));
+                                      "radius=80", "filter=false",
+                                      std::string("form_factor=") + form_factor}));
   const ImageF& depth = *find_layer(traced, "depth");
   const Shot shot{.extent = {depth.width, depth.height}};
   Recorder& recorder = session.context.recorder();
