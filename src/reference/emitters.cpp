@@ -41,9 +41,11 @@ Emitters::Sample Emitters::sample(float choice, glm::vec2 u) const {
   const float root = std::sqrt(u.x);
   const float b = root * (1.0f - u.y), c = root * u.y;
   const RayScene::Corners corners = world_->rays().corners(entry.part, entry.triangle);
+  const glm::vec3 normal = glm::normalize(glm::cross(corners.b - corners.a, corners.c - corners.a));
   return {(1.0f - b - c) * corners.a + b * corners.b + c * corners.c,
-          glm::normalize(glm::cross(corners.b - corners.a, corners.c - corners.a)),
-          world_->emission_at(entry.part, entry.triangle, b, c), density_of_part_[entry.part]};
+          world_->rays().parts()[entry.part].mirrored ? -normal : normal,
+          world_->emission_at(entry.part, entry.triangle, b, c), density_of_part_[entry.part],
+          entry.part};
 }
 
 }  // namespace lueur::reference

@@ -17,9 +17,10 @@ class Emitters {
 
   struct Sample {
     glm::vec3 position{0.0f};
-    glm::vec3 normal{0.0f};    // unit, geometric, on either side
+    glm::vec3 normal{0.0f};    // unit, geometric, on the front side
     glm::vec3 radiance{0.0f};  // emitted
     float pdf_area = 0;        // per square metre
+    uint32_t part = 0;
   };
   // A triangle in proportion to its power and a point evenly on it. Not when empty().
   Sample sample(float choice, glm::vec2 u) const;

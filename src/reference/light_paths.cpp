@@ -44,13 +44,15 @@ float LightPaths::pick_light(Sampler& sampler) const {
 
 bool LightPaths::seen_by_camera(const Surface& surface, uint64_t& rays) const {
   const glm::vec3 to_eye = camera_.eye() - surface.position;
-  if (glm::dot(to_eye, surface.geometric_normal) <= 0.0f || !camera_.in_view(surface.position))
+  if (glm::dot(to_eye, surface.geometric_normal) <= 0.0f || !world_.shows_to_camera(surface) ||
+      !camera_.in_view(surface.position))
     return false;
   ++rays;
-  // Up to the near plane, behind which the camera sees nothing.
-  const float z_m = -glm::dot(to_eye, camera_.axis());
-  return !world_.rays().is_blocked_for_camera({World::origin(surface, to_eye), to_eye},
-                                              1.0f - camera_.near_m() / z_m);
+  // From the camera, as a ray that comes back would take fronts for backs; and from the near plane,
+  // before which the camera sees nothing.
+  const glm::vec3 way = World::origin(surface, to_eye) - camera_.eye();
+  const float near = camera_.near_m() / glm::dot(way, camera_.axis());
+  return !world_.rays().is_blocked_for_camera({camera_.eye() + near * way, way}, 1.0f - near);
 }
 
 // Radiance from one point of a glowing triangle, over the density per steradian of finding it and
@@ -76,7 +78,9 @@ glm::vec3 LightPaths::emitter_radiance(const PathVertex& at, glm::vec3& to_light
   ++rays;
   if (world_.rays().is_blocked({from, to - from}, 1.0f)) return glm::vec3(0.0f);
   if (settings_.mode == Mode::screen) {
-    end.geometric_normal = glm::dot(light.normal, to_light) < 0.0f ? light.normal : -light.normal;
+    end.part = light.part;
+    end.is_front = glm::dot(light.normal, to_light) < 0.0f;
+    end.geometric_normal = end.is_front ? light.normal : -light.normal;
     if (!seen_by_camera(end, rays)) return glm::vec3(0.0f);
   }
   const float pdf = light.pdf_area * distance2 / cos_emitter;

@@ -89,6 +89,7 @@ Surface World::surface(const Ray& ray, const Hit& hit,
   const RayScene::Corners corners = rays_.corners(hit.part, hit.triangle);
   s.position = w * corners.a + hit.u * corners.b + hit.v * corners.c;
   const bool front = glm::dot(hit.normal, ray.direction) < 0.0f;
+  s.is_front = front;
   s.geometric_normal = front ? hit.normal : -hit.normal;
 
   s.place.uv = w * a.uv + hit.u * b.uv + hit.v * c.uv;

@@ -28,6 +28,7 @@ struct Surface {
   glm::vec3 normal{0.0f};  // interpolated and normal mapped
   glm::vec3 emission{0.0f};
   uint32_t part = 0;
+  bool is_front = true;  // the side that the ray met
   TexturePlace place;
 };
 
@@ -51,6 +52,10 @@ class World {
   // The lobes of a surface towards `to_eye`, a unit vector; `least_diffuse_share` as Bsdf takes it.
   Bsdf bsdf(const Surface& surface, const glm::vec3& to_eye, float least_diffuse_share) const;
   glm::vec3 diffuse_albedo_of(const Surface& surface) const;
+  // Whether camera rays meet this side of it: not the backs of one-sided materials.
+  bool shows_to_camera(const Surface& surface) const {
+    return surface.is_front || material_of(surface.part).double_sided;
+  }
 
   // Mean emission of a part's material, over its texture.
   glm::vec3 mean_emission(uint32_t part) const;
