@@ -28,11 +28,15 @@ float alpha_at(const Mask& mask, uint32_t triangle, float u, float v) {
   return alpha * mask.base_color->finest((1.0f - u - v) * uv(0) + u * uv(1) + v * uv(2)).a;
 }
 
+bool is_hole_in(const Mask& mask, uint32_t triangle, float u, float v) {
+  return alpha_at(mask, triangle, u, v) < mask.material->alpha_cutoff;
+}
+
 // Embree calls filters with single rays only, as it gets nothing else from us.
 void pass_holes(const RTCFilterFunctionNArguments* args) {
   const Mask& mask = *static_cast<const Mask*>(args->geometryUserPtr);
   const auto* hit = reinterpret_cast<const RTCHit*>(args->hit);
-  if (alpha_at(mask, hit->primID, hit->u, hit->v) < mask.material->alpha_cutoff) args->valid[0] = 0;
+  if (is_hole_in(mask, hit->primID, hit->u, hit->v)) args->valid[0] = 0;
 }
 
 // A context that knows the scene, for the filter that only camera rays have.
@@ -204,6 +208,11 @@ bool RayScene::is_blocked_for_camera(const Ray& ray, float distance) const {
   RTCRay query = embree_ray(ray, distance);
   rtcOccluded1(state_->embree.get(), &context.base, &query);
   return query.tfar < 0.0f;
+}
+
+bool RayScene::is_hole(uint32_t part, uint32_t triangle, float u, float v) const {
+  const std::unique_ptr<Mask>& mask = state_->masks[part];
+  return mask && is_hole_in(*mask, triangle, u, v);
 }
 
 const std::vector<Part>& RayScene::parts() const {

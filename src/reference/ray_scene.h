@@ -52,6 +52,9 @@ class RayScene {
   bool is_blocked(const Ray& ray, float distance) const;
   bool is_blocked_for_camera(const Ray& ray, float distance) const;
 
+  // Whether an alpha mask has a hole at these barycentric coordinates.
+  bool is_hole(uint32_t part, uint32_t triangle, float u, float v) const;
+
   const std::vector<Part>& parts() const;
   // World positions of a triangle's corners.
   struct Corners {

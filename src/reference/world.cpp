@@ -165,6 +165,7 @@ glm::vec3 World::mean_emission(uint32_t part) const {
 }
 
 glm::vec3 World::emission_at(uint32_t part_index, uint32_t triangle, float u, float v) const {
+  if (rays_.is_hole(part_index, triangle, u, v)) return glm::vec3(0.0f);
   const Part& part = rays_.parts()[part_index];
   const glm::vec3 emission = material_of(part_index).emission;
   const auto& texture = textures_of(part_index).emission;
