@@ -37,9 +37,11 @@ int32_t wrapped(int32_t i, int32_t size, Wrap wrap) {
   return 0;
 }
 
-// Whole repeats say nothing and cost precision; what is left fits an int32_t for any texture.
-float reduced(float coordinate) {
+// What lies far out says nothing more and costs precision: whole repeats, or how far beyond the
+// edge. What is left fits an int32_t for any texture.
+float reduced(float coordinate, Wrap wrap) {
   if (!std::isfinite(coordinate)) return 0.0f;
+  if (wrap == Wrap::clamp_to_edge) return std::clamp(coordinate, -1.0f, 2.0f);
   return std::abs(coordinate) > 1024.0f ? std::fmod(coordinate, 2.0f) : coordinate;
 }
 
@@ -67,8 +69,8 @@ glm::vec4 TextureSampler::decoded(const uint8_t* t) const {
 
 glm::vec4 TextureSampler::bilinear(size_t index, glm::vec2 uv) const {
   const Level& level = levels_[index];
-  const float x = reduced(uv.x) * static_cast<float>(level.width);
-  const float y = reduced(uv.y) * static_cast<float>(level.height);
+  const float x = reduced(uv.x, wrap_u_) * static_cast<float>(level.width);
+  const float y = reduced(uv.y, wrap_v_) * static_cast<float>(level.height);
   const auto row = [&](int32_t j) {
     return level.rgba + 4 * static_cast<size_t>(wrapped(j, level.height, wrap_v_)) * level.width;
   };
