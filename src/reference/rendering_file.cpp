@@ -97,7 +97,9 @@ Result<CachedRendering> render_cached(const Scene& scene, const Shot& shot,
   }
   LUEUR_TRY(rendering, render(scene, shot, settings, control, resume_from));
   result.rendering = std::move(rendering);
-  if (!path.empty() && result.rendering.complete)
+  // What was resumed from a longer rendering has more samples than the key says.
+  const Progress& progress = result.rendering.progress;
+  if (!path.empty() && result.rendering.complete && progress.spp_done <= progress.spp_total)
     if (const auto written = write_rendering(path, result.rendering); !written.ok())
       result.cache_note = written.error().message;
   return result;
