@@ -20,12 +20,21 @@ namespace fs = std::filesystem;
 
 constexpr uint64_t kMaxStateBytes = uint64_t{1} << 36;
 
+// The one input of a rendering that may be at fault is the state, and it has a name.
+Error of_state_file(const ReferenceJob& job, Error error) {
+  if (error.kind == ErrorKind::input)
+    error.message = state_path(job).string() + ": " + error.message;
+  return error;
+}
+
 Result<reference::CachedRendering> trace(const ReferenceJob& job, const Scene& scene,
                                          const std::stop_token& stop) {
   std::vector<uint8_t> state;
   if (job.resume) {
-    LUEUR_TRY(bytes, read_file(state_path(job), kMaxStateBytes));
-    state = std::move(bytes);
+    auto bytes = read_file(state_path(job), kMaxStateBytes);
+    if (!bytes.ok())
+      return Error{bytes.error().kind, bytes.error().message + "; start anew without --resume"};
+    state = std::move(*bytes);
   }
   reference::Control control{
       .threads = job.threads,
@@ -36,7 +45,9 @@ Result<reference::CachedRendering> trace(const ReferenceJob& job, const Scene& s
             if (const auto kept = write_file(state_path(job), bytes); !kept.ok())
               print_warning(kept.error().message);
           }};
-  return reference::render_cached(scene, job.shot, job.settings, control, state, job.cache);
+  auto traced =
+      reference::render_cached(scene, job.shot, job.settings, control, state, job.cache);
+  return traced.ok() ? std::move(traced) : of_state_file(job, traced.error());
 }
 
 std::map<std::string, std::string> attributes(const ReferenceJob& job) {
