@@ -61,6 +61,12 @@ class Cli : public testing::Test {
   // one that takes more than `limit_s` seconds is ended by a signal, unless that is 0.
   Ended run_other(const std::string& program, const Arguments& arguments,
                   const std::string& out = "stdout", unsigned limit_s = 0) const {
+    return end(start(program, arguments, out, limit_s), out);
+  }
+
+  // The two halves of run_other(): begins, and waits for the end.
+  pid_t start(const std::string& program, const Arguments& arguments,
+              const std::string& out = "stdout", unsigned limit_s = 0) const {
     const std::string cache = (base_ / "cache").string();
     std::vector<char*> argv = {const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments)
@@ -81,6 +87,9 @@ class Cli : public testing::Test {
       ::execvp(program.c_str(), argv.data());
       ::_exit(127);
     }
+    return child;
+  }
+  Ended end(pid_t child, const std::string& out = "stdout") const {
     int status = 0;
     ::waitpid(child, &status, 0);
     Ended ended;
