@@ -100,6 +100,10 @@ void expect_like_chance(const std::vector<double>& z, double nu) {
   }
   const double variance = nu / (nu - 2);
   const double spread = std::sqrt(3 * nu * nu / ((nu - 2) * (nu - 4)) - variance * variance);
+  testing::Test::RecordProperty("mean_z", std::to_string(sum / n));
+  testing::Test::RecordProperty("mean_z2_over_expected", std::to_string(squares / n / variance));
+  testing::Test::RecordProperty("beyond_3_of",
+                                std::to_string(beyond) + " of " + std::to_string(z.size()));
   EXPECT_NEAR(sum / n, 0.0, 5.0 * std::sqrt(variance / n)) << "bias, in standard errors";
   EXPECT_NEAR(squares / n, variance, 5.0 * spread / std::sqrt(n)) << "mean of z^2";
   EXPECT_LE(beyond, poisson_bound(0.0054 * n)) << "of " << n << " pixels are 3 errors off";
@@ -224,9 +228,13 @@ Estimates estimates(const Scene& scene, const Shot& shot, Settings settings, int
 void expect_unbiased(const Estimates& found,
                      const std::function<std::optional<double>(size_t pixel)>& exact) {
   std::vector<double> z;
+  double all_off = 0, all_exact = 0, variance = 0;
   for (size_t i = 0; i < found.mean.size(); ++i) {
     const std::optional<double> truth = exact(i);
     if (!truth) continue;
+    all_off += found.mean[i] - *truth;
+    all_exact += *truth;
+    variance += found.error[i] * found.error[i];
     const double rounding = kRounding * std::abs(*truth);
     // Where every seed gave the same, that has to be it.
     if (found.error[i] <= rounding) {
@@ -235,6 +243,9 @@ void expect_unbiased(const Estimates& found,
       z.push_back((found.mean[i] - *truth) / found.error[i]);
     }
   }
+  // For the tables of README.md.
+  testing::Test::RecordProperty("relative_bias", std::to_string(all_off / all_exact));
+  testing::Test::RecordProperty("its_error", std::to_string(std::sqrt(variance) / all_exact));
   expect_like_chance(z, found.seeds - 1);
 }
 
