@@ -86,6 +86,10 @@ void Hash::add(const Light& l) {
 Hash hash_of(const Scene& scene, const Shot& shot, const Settings& settings) {
   Hash hash;
   hash.add(kVersion);
+  // Lengths first, so that what ends one list never reads as the beginning of the next.
+  hash.add(std::array{uint64_t{scene.textures.size()}, uint64_t{scene.materials.size()},
+                      uint64_t{scene.meshes.size()}, uint64_t{scene.instances.size()},
+                      uint64_t{scene.lights.size()}});
   for (const Texture& texture : scene.textures) hash.add(texture);
   for (const Material& material : scene.materials) hash.add(material);
   for (const Mesh& mesh : scene.meshes) hash.add(mesh);

@@ -19,8 +19,6 @@ namespace lueur::reference {
 namespace {
 
 constexpr uint32_t kTilePx = 16;
-// Few enough to stop soon, enough that looking at the first surface anew each time costs little.
-constexpr uint32_t kPathsPerPass = 16;
 // Fewer say too little about their own spread to stop by it.
 constexpr uint32_t kLeastPassesForError = 4;
 
@@ -124,7 +122,7 @@ void Job::see() {
 }
 
 uint32_t Job::passes_wanted() const {
-  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kPathsPerPass;
+  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kSamplesPerPass;
   const uint32_t wanted = (settings_.spp + per_pass - 1) / per_pass;
   if (!screen_sum_) return std::max(wanted, 1u);
   return wanted == 0 ? screen_sum_->passes() : std::min(wanted, screen_sum_->passes());
@@ -146,11 +144,11 @@ bool Job::trace_pass() {
         if (!hit) return;
         const uint32_t seed = combined(combined(settings_.seed, x), y);
         const PathVertex first = paths_.begin(*hit);
-        for (uint32_t k = 0; k < kPathsPerPass; ++k) {
-          Sampler sampler(seed, pass * kPathsPerPass + k);
+        for (uint32_t k = 0; k < kSamplesPerPass; ++k) {
+          Sampler sampler(seed, pass * kSamplesPerPass + k);
           const PathSample sample = paths_.sample(first, sampler, rays);
-          means_[i].diffuse += sample.diffuse / static_cast<float>(kPathsPerPass);
-          means_[i].specular += sample.specular / static_cast<float>(kPathsPerPass);
+          means_[i].diffuse += sample.diffuse / static_cast<float>(kSamplesPerPass);
+          means_[i].specular += sample.specular / static_cast<float>(kSamplesPerPass);
         }
       },
       true);
@@ -159,7 +157,7 @@ bool Job::trace_pass() {
 }
 
 void Job::report() {
-  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kPathsPerPass;
+  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kSamplesPerPass;
   progress_.spp_done = sums_.passes() * per_pass;
   progress_.spp_total = passes_wanted() * per_pass;
   progress_.relative_error = sums_.relative_error();

@@ -55,12 +55,16 @@ enum class FormFactor : uint8_t { disc, point };  // HSSIL (4) and (3)
 
 inline constexpr uint32_t kMaxBounces = 64;
 inline constexpr uint32_t kMaxSpp = 1u << 20;
+// A pass is what a rendering can stop after. Few samples, to stop soon; enough that looking at the
+// first surface anew in each costs little.
+inline constexpr uint32_t kSamplesPerPass = 16;
 
 struct Settings {
   Mode mode = Mode::path;
   uint32_t bounces = 1;  // path: 1 … kMaxBounces surfaces between a light and x
-  // Samples a pixel takes, rounded up to whole passes. Of screen_unoccluded: pixels that are
-  // summed, drawn evenly from those that have light; 0, or more than there are, is every one.
+  // Samples a pixel takes, rounded up to whole passes of kSamplesPerPass. Of screen_unoccluded:
+  // pixels that are summed, drawn evenly from those that have light; 0, or more than there are, is
+  // every one.
   uint32_t spp = 256;
   // Above 0: stop before `spp` once the estimated relative error is at most this; see Progress.
   double target_error = 0;

@@ -75,7 +75,7 @@ TEST_P(ResumeTest, GoesOnToTheSameBits) {
   const Settings settings = GetParam().settings;
   const Rendering whole = rendered(s, kShot, settings);
   for (const uint32_t passes : {0u, 1u, 2u}) {
-    if (passes * 8 >= whole.progress.spp_done) continue;
+    if (passes * kSamplesPerPass >= whole.progress.spp_done) continue;
     const Rendering part = stopped_after(s, settings, passes);
     ASSERT_FALSE(part.complete) << passes;
     ASSERT_FALSE(part.state.empty());
@@ -93,15 +93,15 @@ TEST_P(ResumeTest, GoesOnToTheSameBits) {
 
 TEST(Resume, GoesOnToMoreSamples) {
   const Scene s = scene();
-  const Settings few{.bounces = 3, .spp = 32}, many{.bounces = 3, .spp = 96};
+  const Settings few{.bounces = 3, .spp = 64}, many{.bounces = 3, .spp = 128};
   const Rendering part = stopped_after(s, few, 2);
-  EXPECT_EQ(part.progress.spp_done, 16u);
+  EXPECT_EQ(part.progress.spp_done, 2 * kSamplesPerPass);
   EXPECT_TRUE(same_layers(rendered(s, kShot, many, {}, part.state), rendered(s, kShot, many)));
 }
 
 TEST(Resume, CheckpointsAreStates) {
   const Scene s = scene();
-  const Settings settings{.spp = 40};
+  const Settings settings{.spp = 5 * kSamplesPerPass};
   std::vector<std::vector<uint8_t>> states;
   Control control{.checkpoint = [&](const std::vector<uint8_t>& state) { states.push_back(state); },
                   .checkpoint_s = 0};
@@ -196,11 +196,11 @@ TEST(TargetError, ReportsCountUp) {
   const Scene s = scene();
   std::vector<Progress> reports;
   const Control control{.progress = [&](const Progress& p) { reports.push_back(p); }};
-  rendered(s, kShot, {.spp = 30}, control);
+  rendered(s, kShot, {.spp = 4 * kSamplesPerPass - 1}, control);
   ASSERT_EQ(reports.size(), 5u);
   for (uint32_t k = 0; k < 5; ++k) {
-    EXPECT_EQ(reports[k].spp_done, 8 * k);
-    EXPECT_EQ(reports[k].spp_total, 32u);
+    EXPECT_EQ(reports[k].spp_done, kSamplesPerPass * k);
+    EXPECT_EQ(reports[k].spp_total, 4 * kSamplesPerPass);
     EXPECT_EQ(std::isfinite(reports[k].relative_error), k >= 2);
     EXPECT_EQ(reports[k].rays > 0, k > 0);
   }

@@ -56,7 +56,10 @@ const tests = {
     assert.equal(await page.locator('#scatter-plot .baseline').count(), 1);
     assert.match(await page.textContent('#scatter-plot'), /RMSE in radiance \(lower is better\)/);
     await page.selectOption('#scatter-metric', 'psnr');
-    assert.match(await page.textContent('#scatter-plot'), /PSNR in dB \(higher is better\)/);
+    // Plots are drawn again with the next frame.
+    await page
+      .locator('#scatter-plot', {hasText: /PSNR in dB \(higher is better\)/})
+      .waitFor({timeout: 5000});
     assert.equal(await page.locator('.bar').count(), 3);
   },
 
