@@ -11,6 +11,7 @@ namespace lueur::reference {
 namespace {
 
 constexpr float kBelowOne = 0x1.fffffep-1f;
+constexpr float kWideAlpha = 0.5f;
 constexpr float kLeastCosView = 1e-3f;  // as in the renderer's light pass
 
 float luminance(const glm::vec3& c) {
@@ -86,7 +87,9 @@ Bsdf::Bsdf(const BsdfParameters& parameters, float least_diffuse_share)
         luminance(fresnel_schlick(parameters_.specular_f0, parameters_.specular_f90, eye_local_.z));
   }
   const float diffuse_albedo = luminance(parameters_.diffuse_albedo);
-  if (specular_albedo > 0.0f)
+  // A wide lobe is as well found by the cosine, which is quicker.
+  const bool is_wide = !parameters_.phong && alpha_ > kWideAlpha;
+  if (specular_albedo > 0.0f && !is_wide)
     diffuse_share_ =
         std::max(diffuse_albedo / (diffuse_albedo + specular_albedo), least_diffuse_share);
 }

@@ -23,9 +23,8 @@ std::optional<FirstHit> first_hit(const World& world, const PinholeCamera& camer
   const Ray from_eye{camera.eye(), ray.direction};
   Hit at_eye = *hit;
   at_eye.distance += camera.near_m();
-  return FirstHit{
-      world.surface(from_eye, at_eye, World::Footprint{camera.step_x(), camera.step_y()}),
-      -glm::normalize(ray.direction), at_eye.distance};
+  return FirstHit{world.surface(from_eye, at_eye, camera.step_x(), camera.step_y()),
+                  -glm::normalize(ray.direction), at_eye.distance};
 }
 
 GBufferLayers::GBufferLayers(uint32_t width, uint32_t height)
@@ -36,16 +35,17 @@ GBufferLayers::GBufferLayers(uint32_t width, uint32_t height)
       source(width, height, 3),
       specular(width, height, 3) {}
 
-void GBufferLayers::set(const World& world, const FirstHit& hit, uint32_t x, uint32_t y) {
+void GBufferLayers::set(const World& world, const FirstHit& hit, uint32_t x, uint32_t y,
+                        uint64_t& rays) {
   const Surface& s = hit.surface;
-  uint64_t rays = 0;
   const DirectLight light = direct_light(world, s, world.bsdf(s, hit.to_eye, 0.0f), rays);
   const glm::vec3 diffuse = world.diffuse_albedo_of(s);
+  const glm::vec3 glow = world.emission_of(s);
   depth.at(x, y, 0) = hit.z_m;
   store(normal, x, y, s.normal);
   store(albedo, x, y, diffuse);
-  store(emission, x, y, s.emission);
-  store(source, x, y, s.emission + diffuse * light.irradiance / kPi);
+  store(emission, x, y, glow);
+  store(source, x, y, glow + diffuse * light.irradiance / kPi);
   store(specular, x, y, light.specular);
 }
 

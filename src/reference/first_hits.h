@@ -23,7 +23,8 @@ std::optional<FirstHit> first_hit(const World& world, const PinholeCamera& camer
 struct GBufferLayers {
   ImageF depth, normal, albedo, emission, source, specular;
   GBufferLayers(uint32_t width, uint32_t height);
-  void set(const World& world, const FirstHit& hit, uint32_t x, uint32_t y);
+  // Adds the rays that it traces to `rays`.
+  void set(const World& world, const FirstHit& hit, uint32_t x, uint32_t y, uint64_t& rays);
 };
 
 }  // namespace lueur::reference

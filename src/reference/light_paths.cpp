@@ -42,7 +42,7 @@ float LightPaths::pick_light(Sampler& sampler) const {
   return world_.punctual_lights().size() > 1 ? sampler.next() : 0.0f;
 }
 
-bool LightPaths::seen_by_camera(const Surface& surface, uint64_t& rays) const {
+bool LightPaths::seen_by_camera(const Touch& surface, uint64_t& rays) const {
   const glm::vec3 to_eye = camera_.eye() - surface.position;
   if (glm::dot(to_eye, surface.geometric_normal) <= 0.0f || !world_.shows_to_camera(surface) ||
       !camera_.in_view(surface.position))
@@ -70,7 +70,7 @@ glm::vec3 LightPaths::emitter_radiance(const PathVertex& at, glm::vec3& to_light
     return glm::vec3(0.0f);
 
   // Both ends are moved off their surfaces, towards each other.
-  Surface end;
+  Touch end;
   end.position = light.position;
   end.geometric_normal = light.normal;
   const glm::vec3 from = World::origin(at.surface, to_light);
@@ -88,38 +88,41 @@ glm::vec3 LightPaths::emitter_radiance(const PathVertex& at, glm::vec3& to_light
 }
 
 // The emission of what a sampled direction met, weighted against emitter_radiance().
-glm::vec3 LightPaths::emission_found(const Surface& found, const PathVertex& from,
+glm::vec3 LightPaths::emission_found(const Touch& found, const PathVertex& from,
                                      const Bsdf::Sample& direction, uint64_t& rays) const {
-  if (is_black(found.emission)) return glm::vec3(0.0f);
+  const glm::vec3 emission = world_.emission_at(found.part, found.triangle, found.u, found.v);
+  if (is_black(emission)) return emission;
   if (settings_.mode == Mode::screen && !seen_by_camera(found, rays)) return glm::vec3(0.0f);
   const float density = emitters_.pdf_area(found.part);
-  if (!(density > 0.0f)) return found.emission;
+  if (!(density > 0.0f)) return emission;
   const glm::vec3 way = found.position - from.surface.position;
   const float cos_emitter = std::abs(glm::dot(found.geometric_normal, direction.to_light));
   const float pdf = cos_emitter > 0.0f ? density * glm::dot(way, way) / cos_emitter : kInfinity;
-  return std::isfinite(pdf) ? found.emission * balance(direction.pdf, pdf) : glm::vec3(0.0f);
+  return std::isfinite(pdf) ? emission * balance(direction.pdf, pdf) : glm::vec3(0.0f);
 }
 
 // The radiance that leaves `met` towards `to_eye`, its emission left out: one path's estimate.
-glm::vec3 LightPaths::arriving(const Surface& met, const glm::vec3& to_eye, Sampler& sampler,
+glm::vec3 LightPaths::arriving(const Touch& met, const glm::vec3& to_eye, Sampler& sampler,
                                uint64_t& rays) const {
   if (settings_.mode == Mode::screen) {
     // What a G-buffer holds of it: diffuse, one value for all directions.
     const Arrival light = one_arrival(world_, met, pick_light(sampler), rays);
     if (is_black(light.irradiance) || !seen_by_camera(met, rays)) return glm::vec3(0.0f);
-    return world_.diffuse_albedo_of(met) * light.irradiance / kPi;
+    const Surface surface = world_.surface(met);
+    const float cosine = std::max(glm::dot(surface.normal, light.to_light), 0.0f);
+    return world_.diffuse_albedo_of(surface) * light.irradiance * cosine / kPi;
   }
 
   glm::vec3 radiance(0.0f), throughput(1.0f);
-  Surface surface = met;
+  Touch touch = met;
   glm::vec3 eye = to_eye;
   for (uint32_t depth = 1;; ++depth) {
-    const Arrival light = one_arrival(world_, surface, pick_light(sampler), rays);
+    const Arrival light = one_arrival(world_, touch, pick_light(sampler), rays);
     const bool is_last = depth >= settings_.bounces;
     if (is_last && is_black(light.irradiance)) return radiance;
-    const PathVertex vertex{surface, world_.bsdf(surface, eye, kDiffuseShareFurther)};
-    radiance += throughput * light.irradiance *
-                (vertex.bsdf.diffuse() / kPi + vertex.bsdf.specular(light.to_light));
+    const PathVertex vertex{touch, world_.bsdf(world_.surface(touch), eye, kDiffuseShareFurther)};
+    if (!is_black(light.irradiance))
+      radiance += throughput * light.irradiance * vertex.reflected(light.to_light);
     if (is_last) return radiance;
 
     if (!emitters_.empty()) {
@@ -135,13 +138,13 @@ glm::vec3 LightPaths::arriving(const Surface& met, const glm::vec3& to_eye, Samp
       if (!(sampler.next() < survival)) return radiance;
       throughput /= survival;
     }
-    const Ray ray{World::origin(surface, next.to_light), next.to_light};
+    const Ray ray{World::origin(touch, next.to_light), next.to_light};
     ++rays;
     const std::optional<Hit> hit = world_.rays().nearest(ray);
     if (!hit) return radiance;
-    const Surface found = world_.surface(ray, *hit);
+    const Touch found = world_.touch(ray, *hit);
     radiance += throughput * emission_found(found, vertex, next, rays);
-    surface = found;
+    touch = found;
     eye = -next.to_light;
   }
 }
@@ -173,7 +176,7 @@ PathSample LightPaths::sample(const PathVertex& first, Sampler& sampler, uint64_
   ++rays;
   const std::optional<Hit> hit = world_.rays().nearest(ray);
   if (!hit) return sum;
-  const Surface met = world_.surface(ray, *hit);
+  const Touch met = world_.touch(ray, *hit);
   const glm::vec3 radiance =
       emission_found(met, first, next, rays) + arriving(met, -next.to_light, sampler, rays);
   if (!is_black(radiance)) add(next.to_light, radiance / next.pdf);

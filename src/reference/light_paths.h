@@ -12,7 +12,7 @@ namespace lueur::reference {
 
 // A surface as seen from where the path came.
 struct PathVertex {
-  const Surface& surface;
+  const Touch& surface;
   Bsdf bsdf;
 
   // Nothing comes from below the triangle, which is its own inside.
@@ -51,11 +51,11 @@ class LightPaths {
   PathSample ambient(const PathVertex& first, Sampler& sampler, uint64_t& rays) const;
   glm::vec3 emitter_radiance(const PathVertex& at, glm::vec3& to_light, Sampler& sampler,
                              uint64_t& rays) const;
-  glm::vec3 emission_found(const Surface& found, const PathVertex& from,
+  glm::vec3 emission_found(const Touch& found, const PathVertex& from,
                            const Bsdf::Sample& direction, uint64_t& rays) const;
   float pick_light(Sampler& sampler) const;
-  bool seen_by_camera(const Surface& surface, uint64_t& rays) const;
-  glm::vec3 arriving(const Surface& met, const glm::vec3& to_eye, Sampler& sampler,
+  bool seen_by_camera(const Touch& surface, uint64_t& rays) const;
+  glm::vec3 arriving(const Touch& met, const glm::vec3& to_eye, Sampler& sampler,
                      uint64_t& rays) const;
 
   const World& world_;

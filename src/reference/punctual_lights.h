@@ -9,13 +9,13 @@ namespace lueur::reference {
 // Light of one light at one point, as if nothing stood between.
 struct Arrival {
   glm::vec3 to_light{0.0f};    // unit
-  glm::vec3 irradiance{0.0f};  // on the surface, its cosine included
+  glm::vec3 irradiance{0.0f};  // on a surface that faces it; on others, times the cosine
   float distance_m = 0;        // infinite for directional lights
 };
-Arrival arrival(const PlacedLight& light, const glm::vec3& position, const glm::vec3& normal);
+Arrival arrival(const PlacedLight& light, const glm::vec3& position);
 
 // Whether the light of `arrival` reaches the surface. Traces a ray.
-bool arrives(const World& world, const Surface& surface, const Arrival& arrival);
+bool arrives(const World& world, const Touch& touch, const Arrival& arrival);
 
 // What all lights give a surface that is seen by `bsdf`.
 struct DirectLight {
@@ -26,7 +26,7 @@ DirectLight direct_light(const World& world, const Surface& surface, const Bsdf&
                          uint64_t& rays);
 
 // The light of one of them, found by one ray at most: `u` in [0, 1) picks a light in proportion to
-// what it would give, and its irradiance is divided by that share. Black where it does not arrive.
-Arrival one_arrival(const World& world, const Surface& surface, float u, uint64_t& rays);
+// its irradiance, which is divided by that share. Black where it does not arrive.
+Arrival one_arrival(const World& world, const Touch& touch, float u, uint64_t& rays);
 
 }  // namespace lueur::reference

@@ -111,10 +111,11 @@ void Job::see() {
   const bool keep = settings_.mode == Mode::screen_unoccluded;
   if (keep) hits_.resize(means_.size());
   for_each_tile(
-      [&](uint32_t x, uint32_t y, uint64_t&) {
+      [&](uint32_t x, uint32_t y, uint64_t& rays) {
+        ++rays;
         const auto hit = first_hit(world_, camera_, x, y);
         if (!hit) return;
-        g_buffer_.set(world_, *hit, x, y);
+        g_buffer_.set(world_, *hit, x, y, rays);
         if (keep) hits_[size_t{y} * shot_.width + x] = hit;
       },
       false);
@@ -140,6 +141,7 @@ bool Job::trace_pass() {
           if (hits_[i]) means_[i].diffuse = screen_sum_->at(*hits_[i]);
           return;
         }
+        ++rays;
         const auto hit = first_hit(world_, camera_, x, y);
         if (!hit) return;
         const uint32_t seed = combined(combined(settings_.seed, x), y);

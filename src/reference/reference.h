@@ -91,7 +91,7 @@ struct Progress {
   double relative_error = 0;
   double seconds = 0;       // since render() was called
   double seconds_left = 0;  // at the pace so far
-  uint64_t rays = 0;        // traced since render() was called, camera rays left out
+  uint64_t rays = 0;        // traced since render() was called
 };
 
 struct Control {

@@ -73,57 +73,74 @@ const World::MaterialTextures& World::textures_of(uint32_t part) const {
   return textures_[static_cast<size_t>(rays_.parts()[part].material)];
 }
 
-Surface World::surface(const Ray& ray, const Hit& hit,
-                       const std::optional<Footprint>& footprint) const {
-  const Part& part = rays_.parts()[hit.part];
-  const Mesh& mesh = scene().meshes[static_cast<size_t>(part.mesh)];
-  const Material& material = material_of(hit.part);
-  const MaterialTextures& textures = textures_of(hit.part);
-  const uint32_t* index = &mesh.indices[part.first_index + 3 * size_t{hit.triangle}];
-  const Vertex &a = mesh.vertices[index[0]], &b = mesh.vertices[index[1]],
-               &c = mesh.vertices[index[2]];
-  const float w = 1.0f - hit.u - hit.v;
-
-  Surface s;
-  s.part = hit.part;
+Touch World::touch(const Ray& ray, const Hit& hit) const {
   const RayScene::Corners corners = rays_.corners(hit.part, hit.triangle);
-  s.position = w * corners.a + hit.u * corners.b + hit.v * corners.c;
-  const bool front = glm::dot(hit.normal, ray.direction) < 0.0f;
-  s.is_front = front;
-  s.geometric_normal = front ? hit.normal : -hit.normal;
+  const float w = 1.0f - hit.u - hit.v;
+  const bool is_front = glm::dot(hit.normal, ray.direction) < 0.0f;
+  return {.position = w * corners.a + hit.u * corners.b + hit.v * corners.c,
+          .geometric_normal = is_front ? hit.normal : -hit.normal,
+          .part = hit.part,
+          .triangle = hit.triangle,
+          .u = hit.u,
+          .v = hit.v,
+          .is_front = is_front};
+}
 
-  s.place.uv = w * a.uv + hit.u * b.uv + hit.v * c.uv;
-  if (footprint) {
-    const auto uv_step = [&](const glm::vec3& step) {
-      const glm::vec2 moved = barycentric_step(corners, ray, hit.distance, step);
-      return moved.x * (b.uv - a.uv) + moved.y * (c.uv - a.uv);
-    };
-    s.place.pixel_steps.emplace(uv_step(footprint->step_x), uv_step(footprint->step_y));
-  }
+World::TriangleVertices World::vertices_of(const Touch& touch) const {
+  const Part& part = rays_.parts()[touch.part];
+  const Mesh& mesh = scene().meshes[static_cast<size_t>(part.mesh)];
+  const uint32_t* index = &mesh.indices[part.first_index + 3 * size_t{touch.triangle}];
+  return {mesh.vertices[index[0]], mesh.vertices[index[1]], mesh.vertices[index[2]]};
+}
 
-  // Interpolate and map the normal as g_buffer.frag does.
-  const glm::mat3& normal_matrix = normal_from_object_[part.instance];
-  glm::vec3 n = normal_matrix * (w * a.normal + hit.u * b.normal + hit.v * c.normal);
-  n = glm::dot(n, n) > 0.0f ? glm::normalize(n) : hit.normal;
-  if (textures.normal) {
+Surface World::surface(const Touch& touch) const {
+  const TriangleVertices t = vertices_of(touch);
+  const float w = 1.0f - touch.u - touch.v;
+  Surface s{touch, {}, {w * t.a.uv + touch.u * t.b.uv + touch.v * t.c.uv, {}}};
+  s.normal = normal_of(s, t);
+  return s;
+}
+
+Surface World::surface(const Ray& ray, const Hit& hit, const glm::vec3& step_x,
+                       const glm::vec3& step_y) const {
+  const Touch met = touch(ray, hit);
+  const TriangleVertices t = vertices_of(met);
+  const RayScene::Corners corners = rays_.corners(hit.part, hit.triangle);
+  const auto uv_step = [&](const glm::vec3& step) {
+    const glm::vec2 moved = barycentric_step(corners, ray, hit.distance, step);
+    return moved.x * (t.b.uv - t.a.uv) + moved.y * (t.c.uv - t.a.uv);
+  };
+  const float w = 1.0f - met.u - met.v;
+  Surface s{
+      met,
+      {},
+      {w * t.a.uv + met.u * t.b.uv + met.v * t.c.uv, std::pair(uv_step(step_x), uv_step(step_y))}};
+  s.normal = normal_of(s, t);
+  return s;
+}
+
+// Interpolates and maps the normal as g_buffer.frag does.
+glm::vec3 World::normal_of(const Surface& s, const TriangleVertices& t) const {
+  const Part& part = rays_.parts()[s.part];
+  const float w = 1.0f - s.u - s.v;
+  glm::vec3 n =
+      normal_from_object_[part.instance] * (w * t.a.normal + s.u * t.b.normal + s.v * t.c.normal);
+  const glm::vec3 front_normal = s.is_front ? s.geometric_normal : -s.geometric_normal;
+  n = glm::dot(n, n) > 0.0f ? glm::normalize(n) : front_normal;
+  if (const auto& texture = textures_of(s.part).normal) {
     const glm::mat3 linear(
         world_from_node_[static_cast<size_t>(scene().instances[part.instance].node)]);
     const glm::vec3 along =
-        linear * glm::vec3(w * a.tangent + hit.u * b.tangent + hit.v * c.tangent);
-    const glm::vec3 t = glm::normalize(along - n * glm::dot(n, along));
-    const glm::vec3 bitangent = glm::cross(n, t) * a.tangent.w;
-    glm::vec3 mapped = glm::vec3(look_up(*textures.normal, s.place)) * 2.0f - 1.0f;
-    mapped.x *= material.normal_scale;
-    mapped.y *= material.normal_scale;
-    const glm::vec3 perturbed = t * mapped.x + bitangent * mapped.y + n * mapped.z;
+        linear * glm::vec3(w * t.a.tangent + s.u * t.b.tangent + s.v * t.c.tangent);
+    const glm::vec3 tangent = glm::normalize(along - n * glm::dot(n, along));
+    const glm::vec3 bitangent = glm::cross(n, tangent) * t.a.tangent.w;
+    const float scale = material_of(s.part).normal_scale;
+    const glm::vec3 mapped = glm::vec3(look_up(*texture, s.place)) * 2.0f - 1.0f;
+    const glm::vec3 perturbed =
+        tangent * (scale * mapped.x) + bitangent * (scale * mapped.y) + n * mapped.z;
     if (glm::dot(perturbed, perturbed) > 1e-8f) n = glm::normalize(perturbed);
   }
-  s.normal = front ? n : -n;
-
-  s.emission = material.emission;
-  if (textures.emission && s.emission != glm::vec3(0.0f))
-    s.emission *= glm::vec3(look_up(*textures.emission, s.place));
-  return s;
+  return s.is_front ? n : -n;
 }
 
 glm::vec3 World::base_color_of(const Surface& s) const {
@@ -164,25 +181,28 @@ glm::vec3 World::mean_emission(uint32_t part) const {
   return material_of(part).emission * (texture ? glm::vec3(texture->mean()) : glm::vec3(1.0f));
 }
 
-glm::vec3 World::emission_at(uint32_t part_index, uint32_t triangle, float u, float v) const {
-  if (rays_.is_hole(part_index, triangle, u, v)) return glm::vec3(0.0f);
-  const Part& part = rays_.parts()[part_index];
-  const glm::vec3 emission = material_of(part_index).emission;
-  const auto& texture = textures_of(part_index).emission;
+glm::vec3 World::emission_at(uint32_t part, uint32_t triangle, float u, float v) const {
+  const glm::vec3 emission = material_of(part).emission;
+  if (emission == glm::vec3(0.0f)) return emission;
+  if (rays_.is_hole(part, triangle, u, v)) return glm::vec3(0.0f);
+  const auto& texture = textures_of(part).emission;
   if (!texture) return emission;
-  const Mesh& mesh = scene().meshes[static_cast<size_t>(part.mesh)];
-  const uint32_t* index = &mesh.indices[part.first_index + 3 * size_t{triangle}];
-  const glm::vec2 uv = (1.0f - u - v) * mesh.vertices[index[0]].uv +
-                       u * mesh.vertices[index[1]].uv + v * mesh.vertices[index[2]].uv;
-  return emission * glm::vec3(texture->finest(uv));
+  const TriangleVertices t = vertices_of({.part = part, .triangle = triangle, .u = u, .v = v});
+  return emission * glm::vec3(texture->finest((1.0f - u - v) * t.a.uv + u * t.b.uv + v * t.c.uv));
 }
 
-glm::vec3 World::origin(const Surface& surface, const glm::vec3& direction) {
+glm::vec3 World::emission_of(const Surface& s) const {
+  const auto& texture = textures_of(s.part).emission;
+  const glm::vec3 emission = material_of(s.part).emission;
+  return texture ? emission * glm::vec3(look_up(*texture, s.place)) : emission;
+}
+
+glm::vec3 World::origin(const Touch& touch, const glm::vec3& direction) {
   // A position is off by some roundings of its largest coordinate; 2^-17 is 64 of them.
-  const glm::vec3 reach = glm::abs(surface.position);
+  const glm::vec3 reach = glm::abs(touch.position);
   const float step = 0x1p-17f * std::max({reach.x, reach.y, reach.z, 0x1p-7f});
-  const float side = glm::dot(direction, surface.geometric_normal) < 0.0f ? -step : step;
-  return surface.position + side * surface.geometric_normal;
+  const float side = glm::dot(direction, touch.geometric_normal) < 0.0f ? -step : step;
+  return touch.position + side * touch.geometric_normal;
 }
 
 }  // namespace lueur::reference

@@ -19,16 +19,22 @@ struct TexturePlace {
   std::optional<std::pair<glm::vec2, glm::vec2>> pixel_steps;
 };
 
-// The point that a ray met. Normals are unit and on the ray's side, but that the shading normal, as
-// the rasterizer's, may lean a little beyond. What the surface reflects is looked up on demand, as
-// most points that a path meets are in the dark.
-struct Surface {
+// The point that a ray met, as far as further rays need it. What it looks like is found on demand,
+// as most points that a path meets are in the dark.
+struct Touch {
   glm::vec3 position{0.0f};
-  glm::vec3 geometric_normal{0.0f};
-  glm::vec3 normal{0.0f};  // interpolated and normal mapped
-  glm::vec3 emission{0.0f};
+  glm::vec3 geometric_normal{0.0f};  // unit, on the ray's side
   uint32_t part = 0;
+  uint32_t triangle = 0;  // within the part
+  float u = 0;            // barycentric coordinates of the second and third corner
+  float v = 0;
   bool is_front = true;  // the side that the ray met
+};
+
+// The same with its normal: unit, interpolated and normal mapped, on the ray's side, but that it,
+// as the rasterizer's, may lean a little beyond.
+struct Surface : Touch {
+  glm::vec3 normal{0.0f};
   TexturePlace place;
 };
 
@@ -42,28 +48,31 @@ class World {
   const std::vector<glm::mat4>& world_from_node() const { return world_from_node_; }
   const std::vector<PlacedLight>& punctual_lights() const { return punctual_lights_; }
 
-  // What `ray` met. Textures are read at their finest level, or filtered for a pixel whose
-  // neighbours' rays have the same origin and directions `step_x` and `step_y` further on.
-  struct Footprint {
-    glm::vec3 step_x, step_y;
-  };
-  Surface surface(const Ray& ray, const Hit& hit,
-                  const std::optional<Footprint>& footprint = std::nullopt) const;
+  // What `ray` met.
+  Touch touch(const Ray& ray, const Hit& hit) const;
+  // Its textures are read at their finest level.
+  Surface surface(const Touch& touch) const;
+  // Its textures are filtered for a pixel whose neighbours' rays have the same origin and
+  // directions `step_x` and `step_y` further on.
+  Surface surface(const Ray& ray, const Hit& hit, const glm::vec3& step_x,
+                  const glm::vec3& step_y) const;
   // The lobes of a surface towards `to_eye`, a unit vector; `least_diffuse_share` as Bsdf takes it.
   Bsdf bsdf(const Surface& surface, const glm::vec3& to_eye, float least_diffuse_share) const;
   glm::vec3 diffuse_albedo_of(const Surface& surface) const;
   // Whether camera rays meet this side of it: not the backs of one-sided materials.
-  bool shows_to_camera(const Surface& surface) const {
-    return surface.is_front || material_of(surface.part).double_sided;
+  bool shows_to_camera(const Touch& touch) const {
+    return touch.is_front || material_of(touch.part).double_sided;
   }
 
-  // Mean emission of a part's material, over its texture.
-  glm::vec3 mean_emission(uint32_t part) const;
+  // Emitted radiance, black in holes; of a surface, by its place on the texture; and the mean of a
+  // part's material over its texture.
   glm::vec3 emission_at(uint32_t part, uint32_t triangle, float u, float v) const;
+  glm::vec3 emission_of(const Surface& surface) const;
+  glm::vec3 mean_emission(uint32_t part) const;
 
   // The origin for a ray that leaves the surface into the half space of `direction`: far enough off
   // not to meet its own triangle by rounding.
-  static glm::vec3 origin(const Surface& surface, const glm::vec3& direction);
+  static glm::vec3 origin(const Touch& touch, const glm::vec3& direction);
 
  private:
   struct MaterialTextures {
@@ -71,6 +80,11 @@ class World {
   };
   World(RayScene rays, std::vector<glm::mat4> world_from_node);
   const Material& material_of(uint32_t part) const;
+  struct TriangleVertices {
+    const Vertex &a, &b, &c;
+  };
+  TriangleVertices vertices_of(const Touch& touch) const;
+  glm::vec3 normal_of(const Surface& surface, const TriangleVertices& vertices) const;
   const MaterialTextures& textures_of(uint32_t part) const;
   glm::vec3 base_color_of(const Surface& surface) const;
   // x metallic, y perceptual roughness
