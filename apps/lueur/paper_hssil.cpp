@@ -165,6 +165,7 @@ Result<report::FigureSection> levels(Session& session, const PaperSetup& setup) 
   std::vector<CandidateRequest> requests;
   for (uint32_t only = 0; only <= kLevels; ++only) {
     std::vector<std::string> settings = kPaperSettings;
+    settings.push_back("start=quarter");
     settings.push_back("levels=" + std::to_string(kLevels));
     settings.push_back("only_level=" + std::to_string(only));
     LUEUR_TRY(technique, choose_technique("hierarchical", settings));
@@ -180,7 +181,8 @@ Result<report::FigureSection> levels(Session& session, const PaperSetup& setup) 
   const auto shown = [&](const ImageF& light, float brighter_ev) {
     return to_display(light, exposure_ev + brighter_ev, ToneMap::khronos_neutral);
   };
-  report::PictureRow row{{}, "Indirect light is E/π before albedo, one stop brighter."};
+  report::PictureRow row{
+      {}, "spot-floor, quarter start. Indirect light is E/π before albedo, one stop brighter."};
   report::Table table{"Share of the indirect light", {}, {}};
   table.columns = {{"level", "", "", 3}, {"reaches", "px", "", 4}, {"share", "", "", 3}};
   ImageF sum(all.width, all.height, 3);
@@ -191,8 +193,8 @@ Result<report::FigureSection> levels(Session& session, const PaperSetup& setup) 
     for (size_t i = 0; i < sum.samples.size(); ++i) sum.samples[i] += light.samples[i];
     row.pictures.push_back(
         {shown(light, 1.0f), "Indirect, level " + std::to_string(level) + " only", {}});
-    // Half start: a pixel of level 1 is two of the picture's.
-    table.rows.push_back({std::to_string(level), 40.0 * std::exp2(level),
+    // Quarter start: a pixel of level 1 is four of the picture's.
+    table.rows.push_back({std::to_string(level), 80.0 * std::exp2(level),
                           mean > 0.0 ? mean_luminance(light, surfaces) / mean : 0.0});
   }
   row.pictures.push_back({shown(all, 1.0f), "Indirect, all levels", {}});
