@@ -78,7 +78,7 @@ TEST(Furnace, WhiteRadianceIsOne) {
     const double exact = 1.0 - std::pow(static_cast<double>(albedo), kMaxBounces + 1);
     expect_unbiased(found, [&](size_t) { return exact; });
     // At albedo 0.9 paths are long and their sums scatter more.
-    EXPECT_LT(error_of(found), albedo < 0.8f ? 3e-4 : 2e-3);
+    EXPECT_LT(error_of(found), albedo < 0.8f ? 2.5e-4 : 2e-3);  // four of them are 0.1 %
     EXPECT_NEAR(mean_of(found), exact, 4 * error_of(found)) << "albedo " << albedo;
     RecordProperty("mean_at_albedo_" + std::to_string(albedo), std::to_string(mean_of(found)));
   }
