@@ -2,8 +2,7 @@
 // Candidates that take turns on one device must not see each other.
 #include "candidate.h"
 
-#include <gtest/gtest.h>
-
+#include "session_fixture.h"
 #include "timing.h"
 
 namespace lueur::cli {
@@ -11,39 +10,11 @@ namespace {
 
 constexpr Extent kSize{64, 36};
 
-// Writes an image that it wants back in the next frame, and notes whether it came.
-class Remembering final : public Technique {
- public:
-  Outputs render(Frame& frame, const Inputs& inputs) override {
-    Recorder& recorder = frame.recorder();
-    const Extent extent = inputs.g_buffer.depth.extent;
-    const HistoryImage h = recorder.history("remembered", extent, Format::rgba16f);
-    const std::vector<uint16_t> halves(size_t{extent.width} * extent.height * 4);
-    recorder.copy(recorder.upload_image("new", extent, Format::rgba16f, halves.data()), h.current);
-    remembered.push_back(h.valid);
-    return {};
-  }
-  void* settings() override { return nullptr; }
-  std::vector<bool> remembered;
-};
-
-class CandidateTest : public testing::Test {
+class CandidateTest : public SessionTest {
  protected:
-  void SetUp() override {
-    auto system = gpu::System::create({.validation = true});
-    ASSERT_TRUE(system.ok()) << system.error().message;
-    ContextInfo info = (*system)->context_info();
-    info.frames_in_flight = 1;
-    info.timers = true;
-    auto context = Context::create(info);
-    ASSERT_TRUE(context.ok()) << context.error().message;
-    session_.emplace(Session{std::move(*system), std::move(*context)});
-  }
   void TearDown() override {
     candidates_.clear();
-    if (!session_) return;
-    for (const std::string& message : session_->system->validation_messages())
-      ADD_FAILURE() << "validation: " << message;
+    SessionTest::TearDown();
   }
 
   void make(std::vector<CandidateRequest> requests) {
@@ -66,7 +37,6 @@ class CandidateTest : public testing::Test {
     return frame.ok() ? frame->pixels.at(0).samples : std::vector<float>();
   }
 
-  std::optional<Session> session_;
   std::vector<Candidate> candidates_;
 };
 

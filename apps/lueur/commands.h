@@ -18,6 +18,7 @@ void add_render(CLI::App& program, Outcome& outcome);
 void add_reference(CLI::App& program, Outcome& outcome);
 void add_compare(CLI::App& program, Outcome& outcome);
 void add_paper(CLI::App& program, Outcome& outcome);
+void add_sequence(CLI::App& program, Outcome& outcome);
 void add_bench(CLI::App& program, Outcome& outcome);
 void add_diff(CLI::App& program, Outcome& outcome);
 void add_scene(CLI::App& program, Outcome& outcome);

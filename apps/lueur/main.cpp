@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   add_render(program, outcome);
   add_reference(program, outcome);
   add_compare(program, outcome);
+  add_sequence(program, outcome);
   add_bench(program, outcome);
   add_paper(program, outcome);
   add_diff(program, outcome);

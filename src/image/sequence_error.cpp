@@ -106,6 +106,22 @@ double FrameChange::flicker() const {
   return relative(change, luminance);
 }
 
+Ghosting& Ghosting::operator+=(const Ghosting& other) {
+  difference += other.difference;
+  distance += other.distance;
+  luminance += other.luminance;
+  pixels += other.pixels;
+  return *this;
+}
+
+double Ghosting::bias() const {
+  return relative(difference, luminance);
+}
+
+double Ghosting::error() const {
+  return relative(distance, luminance);
+}
+
 Result<FrameChange> frame_change(const ImageF& before, const Surfaces& surfaces_before,
                                  const ImageF& now, const Surfaces& surfaces_now) {
   LUEUR_TRY_VOID(check_comparable(before, now));
@@ -165,20 +181,17 @@ Result<Ghosting> ghosting(const ImageF& test, const ImageF& reference, const Mas
   LUEUR_TRY_VOID(check_comparable(test, reference));
   if (uncovered.width != test.width || uncovered.height != test.height)
     return Error{ErrorKind::input, "the mask of uncovered pixels and the pictures differ in size"};
-  Ghosting result;
-  double difference = 0.0, distance = 0.0, sum = 0.0;
+  Ghosting sum;
   for (size_t i = 0; i < uncovered.counts.size(); ++i) {
     if (!counts(&uncovered, i)) continue;
     const auto t = static_cast<double>(luminance_at(test, i));
     const auto r = static_cast<double>(luminance_at(reference, i));
-    difference += t - r;
-    distance += std::abs(t - r);
-    sum += r;
-    ++result.pixels;
+    sum.difference += t - r;
+    sum.distance += std::abs(t - r);
+    sum.luminance += r;
+    ++sum.pixels;
   }
-  result.bias = relative(difference, sum);
-  result.error = relative(distance, sum);
-  return result;
+  return sum;
 }
 
 }  // namespace lueur

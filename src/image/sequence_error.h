@@ -71,9 +71,15 @@ class UncoveredPixels {
 // pixels that were uncovered lately, against the reference, or against the converged picture of the
 // same standing frame.
 struct Ghosting {
-  double bias = 0.0;   // sum(t - r) / sum(r): above 0 a bright trail, below 0 a dark one
-  double error = 0.0;  // sum |t - r| / sum(r), at least |bias|
-  size_t pixels = 0;   // those that count; with none, both are 0
+  double difference = 0.0;  // sum(t - r)
+  double distance = 0.0;    // sum |t - r|
+  double luminance = 0.0;   // sum(r)
+  uint64_t pixels = 0;      // those that count; with none, all is 0
+
+  // Adds the next frame of a sequence: its errors are those of the sums.
+  Ghosting& operator+=(const Ghosting& other);
+  double bias() const;   // difference / luminance: above 0 a bright trail, below 0 a dark one
+  double error() const;  // distance / luminance, at least |bias|
 };
 
 // Fails (ErrorKind::input) like scene_errors(), except that the mask may leave no pixel.

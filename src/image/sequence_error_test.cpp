@@ -169,16 +169,16 @@ TEST(Ghosting, OfADecayingTrail) {
   const auto trail = ghosting(test, reference, uncovered.within(3));
   ASSERT_TRUE(trail.ok()) << trail.error().message;
   EXPECT_EQ(trail->pixels, 6u * kHeight);
-  EXPECT_NEAR(trail->bias, 0.5 * (1.0 + 0.5 + 0.25) / 3.0, 1e-7);
-  EXPECT_EQ(trail->error, trail->bias);
+  EXPECT_NEAR(trail->bias(), 0.5 * (1.0 + 0.5 + 0.25) / 3.0, 1e-7);
+  EXPECT_EQ(trail->error(), trail->bias());
   const auto dark = ghosting(reference, test, uncovered.within(1));
-  EXPECT_NEAR(dark->bias, -1.0 / 3.0, 1e-7);
-  EXPECT_NEAR(dark->error, 1.0 / 3.0, 1e-7);
+  EXPECT_NEAR(dark->bias(), -1.0 / 3.0, 1e-7);
+  EXPECT_NEAR(dark->error(), 1.0 / 3.0, 1e-7);
 
   const auto none = ghosting(test, reference, uncovered.within(0));
   ASSERT_TRUE(none.ok());
   EXPECT_EQ(none->pixels, 0u);
-  EXPECT_EQ(none->error, 0.0);
+  EXPECT_EQ(none->error(), 0.0);
 }
 
 // Bright and dark ghosts cancel in the bias, not in the error.
@@ -187,8 +187,20 @@ TEST(Ghosting, ErrorDoesNotCancel) {
   const ImageF test = grey([](int x, int) { return x % 2 == 0 ? 1.25f : 0.75f; });
   const auto result = ghosting(test, grey(always(1.0f)), mask);
   ASSERT_TRUE(result.ok());
-  EXPECT_EQ(result->bias, 0.0);
-  EXPECT_EQ(result->error, 0.25);
+  EXPECT_EQ(result->bias(), 0.0);
+  EXPECT_EQ(result->error(), 0.25);
+}
+
+// Two frames' errors are those of their sums: a frame with more light weighs more.
+TEST(Ghosting, FramesAddUp) {
+  const Mask mask{kWidth, kHeight, std::vector<uint8_t>(size_t{kWidth} * kHeight, 1)};
+  auto sum = ghosting(grey(always(2.0f)), grey(always(1.0f)), mask);
+  const auto dark = ghosting(grey(always(2.0f)), grey(always(3.0f)), mask);
+  ASSERT_TRUE(sum.ok() && dark.ok());
+  *sum += *dark;
+  EXPECT_EQ(sum->bias(), 0.0);   // (1 - 1) / (1 + 3)
+  EXPECT_EQ(sum->error(), 0.5);  // (1 + 1) / (1 + 3)
+  EXPECT_EQ(sum->pixels, 2u * kWidth * kHeight);
 }
 
 TEST(Sequence, WrongImagesAreRefused) {
