@@ -1,35 +1,43 @@
 // SPDX-License-Identifier: MIT
 // What a technique remembers of moving frames must not reach the standing ones, nor the other way
 // round.
+#include <set>
+
 #include "sequence.h"
 #include "session_fixture.h"
 
 namespace lueur::cli {
 namespace {
 
+struct Log {
+  std::vector<bool> remembered;
+  std::set<std::string> histories;  // names of those that its frames had
+};
+
 // Keeps what an instance has noted when that is gone.
 class Logging final : public Technique {
  public:
-  explicit Logging(std::vector<bool>& log) : log_(log) {}
-  ~Logging() override { log_ = technique_.remembered; }
+  explicit Logging(Log& log) : log_(log) {}
+  ~Logging() override { log_.remembered = technique_.remembered; }
   Outputs render(Frame& frame, const Inputs& inputs) override {
+    log_.histories.insert(frame.recorder().options.history_of);
     return technique_.render(frame, inputs);
   }
   void* settings() override { return nullptr; }
 
  private:
-  std::vector<bool>& log_;
+  Log& log_;
   Remembering technique_;
 };
 
 // Of all instances made, in their order.
-std::vector<std::unique_ptr<std::vector<bool>>>& logs() {
-  static std::vector<std::unique_ptr<std::vector<bool>>> all;
+std::vector<std::unique_ptr<Log>>& logs() {
+  static std::vector<std::unique_ptr<Log>> all;
   return all;
 }
 
 std::unique_ptr<Technique> make_logging() {
-  logs().push_back(std::make_unique<std::vector<bool>>());
+  logs().push_back(std::make_unique<Log>());
   return std::make_unique<Logging>(*logs().back());
 }
 
@@ -61,12 +69,15 @@ TEST_F(SequenceHistoryTest, MovingAndStandingFramesAreApart) {
 
   // The one given is not used: its instances remember the frames of earlier sequences.
   ASSERT_EQ(logs().size(), 3u);
-  EXPECT_EQ(*logs()[1], remembered_but_first(2 + 3));
-  const std::vector<bool> instant = remembered_but_first(2 + 4);
-  std::vector<bool> standing;
+  const Log &moving = *logs()[1], &standing = *logs()[2];
+  EXPECT_EQ(moving.remembered, remembered_but_first(2 + 3));
+  std::vector<bool> instants;
   for (int frame = 0; frame < 3; ++frame)
-    standing.insert(standing.end(), instant.begin(), instant.end());
-  EXPECT_EQ(*logs()[2], standing);
+    for (const bool valid : remembered_but_first(2 + 4)) instants.push_back(valid);
+  EXPECT_EQ(standing.remembered, instants);
+  EXPECT_EQ(moving.histories.size(), 1u);
+  EXPECT_EQ(standing.histories.size(), 1u);
+  EXPECT_NE(moving.histories, standing.histories);
 }
 
 }  // namespace
