@@ -202,7 +202,9 @@ TEST(TargetError, ReportsCountUp) {
     EXPECT_EQ(reports[k].spp_done, kSamplesPerPass * k);
     EXPECT_EQ(reports[k].spp_total, 4 * kSamplesPerPass);
     EXPECT_EQ(std::isfinite(reports[k].relative_error), k >= 2);
-    if (k > 0) EXPECT_GT(reports[k].rays, reports[k - 1].rays);
+    if (k > 0) {
+      EXPECT_GT(reports[k].rays, reports[k - 1].rays);
+    }
   }
 }
 
