@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/try.h"
+#include "image/exposure.h"
 
 namespace lueur::cli {
 namespace {
@@ -54,11 +55,18 @@ Result<float> parse_real(std::string_view flag, std::string_view text, float lim
   return refuse(flag, text, "a number from -" + bound + " to " + bound);
 }
 
-Result<std::optional<float>> parse_exposure(std::string_view text) {
-  if (text == "auto") return std::optional<float>();
+Result<ExposureChoice> parse_exposure(std::string_view text) {
+  if (text.empty()) return ExposureChoice{};
+  if (text == "auto") return ExposureChoice{.is_metered = true};
   const auto value = parse_real("--exposure", text, 64.0f);
   if (!value.ok()) return refuse("--exposure", text, "stops from -64 to 64, or auto");
-  return std::optional<float>(*value);
+  return ExposureChoice{.ev = *value};
+}
+
+float exposure_ev(const ExposureChoice& choice, std::optional<float> of_scene,
+                  const ImageF& picture) {
+  if (choice.ev) return *choice.ev;
+  return of_scene && !choice.is_metered ? *of_scene : auto_exposure_ev(picture);
 }
 
 Result<ToneMap> parse_tone_map(std::string_view text) {

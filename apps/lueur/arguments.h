@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "image/image.h"
 #include "image/tone_map.h"
 #include "lueur/image.h"
 #include "lueur/result.h"
@@ -27,8 +28,16 @@ Result<uint32_t> parse_count(std::string_view flag, std::string_view text, uint3
 // A finite decimal number in [-limit, limit].
 Result<float> parse_real(std::string_view flag, std::string_view text, float limit);
 
-// Stops, or "auto". What is returned for "auto" is empty.
-Result<std::optional<float>> parse_exposure(std::string_view text);
+// What --exposure says of the brightness at which a picture is shown.
+struct ExposureChoice {
+  std::optional<float> ev;  // stops to add
+  bool is_metered = false;  // else without `ev`: the scene's own, metered only where it has none
+};
+// Stops, "auto" to meter, or "".
+Result<ExposureChoice> parse_exposure(std::string_view text);
+// The stops for `picture`, which is linear; `of_scene` is Scene::exposure_ev.
+float exposure_ev(const ExposureChoice& choice, std::optional<float> of_scene,
+                  const ImageF& picture);
 
 Result<ToneMap> parse_tone_map(std::string_view text);
 

@@ -68,11 +68,8 @@ Result<ReferenceJob> check(const Options& options) {
   job.threads = threads;
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
   job.tone_map = tone_map;
-  job.meter_exposure = options.exposure == "auto";
-  if (!options.exposure.empty()) {
-    LUEUR_TRY(exposure_ev, parse_exposure(options.exposure));
-    job.exposure_ev = exposure_ev;
-  }
+  LUEUR_TRY(exposure, parse_exposure(options.exposure));
+  job.exposure = exposure;
   LUEUR_TRY(destinations, check_destinations(options.outputs, frame.size));
   job.destinations = destinations;
   return job;

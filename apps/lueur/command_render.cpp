@@ -57,11 +57,8 @@ Result<RenderJob> check(const Options& options) {
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
   job.tone_map = tone_map;
   job.tone_map_name = options.tone_map;
-  job.meter_exposure = options.exposure == "auto";
-  if (!options.exposure.empty()) {
-    LUEUR_TRY(exposure_ev, parse_exposure(options.exposure));
-    job.exposure_ev = exposure_ev;
-  }
+  LUEUR_TRY(exposure, parse_exposure(options.exposure));
+  job.exposure = exposure;
   LUEUR_TRY(technique, choose_technique(options.technique.name, options.technique.settings));
   job.technique = std::move(technique);
   LUEUR_TRY(destinations, check_destinations(options.outputs, setup.size));

@@ -1,44 +1,80 @@
 // SPDX-License-Identifier: MIT
 #include "compare_job.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
+#include "arguments.h"
+#include "base/check.h"
 #include "base/try.h"
 #include "comparison_pictures.h"
 #include "console.h"
-#include "image/exposure.h"
 #include "interrupt.h"
 #include "json_output.h"
 #include "picture.h"
-#include "reference_job.h"
+#include "reference_trace.h"
 #include "report/results.h"
 #include "timing.h"
 
 namespace lueur::cli {
 namespace {
 
-// Traces all references; false when interrupted.
-Result<bool> trace(const CompareJob& job, const Scene& scene, int32_t camera,
-                   const std::stop_token& stop, std::vector<reference::Rendering>& renderings,
-                   std::vector<std::string>& warnings) {
+using Traced = std::vector<reference::CachedRendering>;
+
+// All references in the order of the job; where interrupted, the last is not complete.
+Result<Traced> trace(const CompareJob& job, const Scene& scene, int32_t camera) {
+  const InterruptWatch watch;
+  const reference::Shot shot{job.setup.size.width, job.setup.size.height, camera, 0.0f};
+  Traced all;
   for (const ChosenReference& chosen : job.references) {
     reference::Settings settings = chosen.settings;
     settings.seed = job.setup.seed;
-    const reference::Shot shot{job.setup.size.width, job.setup.size.height, camera, 0.0f};
-    const reference::Control control{
-        .progress =
-            [&](const reference::Progress& p) {
-              print_progress("tracing " + chosen.label + ": " + describe(p));
-            },
-        .stop = stop,
-        .checkpoint = {}};
-    LUEUR_TRY(traced, reference::render_cached(scene, shot, settings, control, {}, job.cache));
-    if (!traced.cache_note.empty()) warnings.push_back(traced.cache_note);
-    renderings.push_back(std::move(traced.rendering));
-    if (!renderings.back().complete) return false;
+    LUEUR_TRY(traced,
+              trace_reference(scene, shot, settings, chosen.label, watch.token(), job.cache));
+    all.push_back(std::move(traced));
+    if (!all.back().rendering.complete) break;
   }
-  return true;
+  return all;
+}
+
+Result<std::vector<Candidate>> candidates_of(const CompareJob& job, Session& session) {
+  std::vector<CandidateRequest> requests;
+  for (const ChosenTechnique& technique : job.techniques)
+    requests.push_back({technique.label, job.scene, job.setup.size, copy(technique)});
+  return make_candidates(session, std::move(requests), job.frame.camera, job.setup.seed);
+}
+
+// What is known before anything is rendered.
+report::Comparison comparison_of(const CompareJob& job, const Scene& scene, int32_t camera,
+                                 const Traced& traced) {
+  report::Comparison comparison;
+  comparison.title = scene.name + ": indirect light";
+  comparison.scene = job.scene;
+  comparison.camera = scene.cameras[static_cast<size_t>(camera)].name;
+  comparison.width = job.setup.size.width;
+  comparison.height = job.setup.size.height;
+  comparison.command = job.command;
+  comparison.metrics = comparison_metrics();
+  for (const reference::CachedRendering& one : traced)
+    if (!one.cache_note.empty()) comparison.warnings.push_back(one.cache_note);
+  comparison.warnings.insert(comparison.warnings.end(), scene.warnings.begin(),
+                             scene.warnings.end());
+  return comparison;
+}
+
+report::Reference reference_of(const ChosenReference& chosen, const reference::Rendering& rendering,
+                               std::span<const Pixels> pixels) {
+  report::Reference truth;
+  truth.label = chosen.label;
+  truth.mode = std::string(name_of(chosen.settings.mode));
+  truth.samples_per_pixel = rendering.progress.spp_done;
+  if (std::isfinite(rendering.progress.relative_error))
+    truth.relative_error = rendering.progress.relative_error;
+  truth.seconds = rendering.progress.seconds;
+  truth.pictures = pictures_of(rendering, pixels);
+  return truth;
 }
 
 report::Entry entry_of(const Candidate& candidate, const Summary& summary,
@@ -56,26 +92,60 @@ report::Entry entry_of(const Candidate& candidate, const Summary& summary,
   return entry;
 }
 
+// Renders each technique once more, for its pictures, and holds it against the references, whose
+// pictures share direct light and albedo with the first frame, as they are those of every one.
+Result<void> compare(const CompareJob& job, const Scene& scene, const Traced& traced,
+                     Session& session, std::vector<Candidate>& candidates,
+                     const std::vector<Summary>& summaries, report::Comparison& comparison) {
+  Mask surfaces;
+  for (size_t i = 0; i < candidates.size(); ++i) {
+    print_progress("comparing " + candidates[i].label);
+    LUEUR_TRY(frame, render_candidate(session, candidates[i], kAllImages));
+    if (i == 0) {
+      comparison.direct = direct_of(frame.pixels);
+      surfaces = mask_of(as_image(*find_pixels(frame.pixels, "depth"), 1));
+      for (size_t r = 0; r < traced.size(); ++r)
+        comparison.references.push_back(
+            reference_of(job.references[r], traced[r].rendering, frame.pixels));
+    }
+    report::Entry entry = entry_of(candidates[i], summaries[i], frame.pixels);
+    for (const report::Reference& truth : comparison.references) {
+      LUEUR_TRY(errors, errors_between(entry.pictures, truth.pictures, truth.label, surfaces));
+      entry.errors.push_back(std::move(errors));
+    }
+    comparison.entries.push_back(std::move(entry));
+  }
+  const ImageF& metered = comparison.references.empty()
+                              ? comparison.direct
+                              : comparison.references.front().pictures.composed;
+  comparison.exposure_ev = static_cast<double>(exposure_ev({}, scene.exposure_ev, metered));
+  return {};
+}
+
+double value_of(const report::Errors& errors, std::string_view metric) {
+  const auto found =
+      std::find_if(errors.values.begin(), errors.values.end(),
+                   [&](const report::ErrorValue& value) { return value.metric == metric; });
+  LUEUR_CHECK(found != errors.values.end());
+  return found->value;
+}
+
 std::string text_of(const report::Comparison& comparison) {
-  const auto column = [](const report::Errors& errors, std::string_view metric) {
-    for (const report::ErrorValue& value : errors.values)
-      if (value.metric == metric) return value.value;
-    return 0.0;
-  };
   char line[256];
   std::string text;
-  std::snprintf(line, sizeof(line), "%-36s %-20s %9s %7s %8s %9s %9s\n", "technique", "reference",
-                "ms", "flip", "bias", "indirect", "indirect");
-  text += line;
-  std::snprintf(line, sizeof(line), "%-36s %-20s %9s %7s %8s %9s %9s\n", "", "", "", "", "", "bias",
-                "rel mse");
-  text += line;
+  for (const auto& [technique, reference, ms, flip, bias, indirect_bias, indirect_rel_mse] :
+       {std::array{"technique", "reference", "ms", "flip", "bias", "indirect", "indirect"},
+        std::array{"", "", "", "", "", "bias", "rel mse"}}) {
+    std::snprintf(line, sizeof(line), "%-36s %-20s %9s %7s %8s %9s %9s\n", technique, reference, ms,
+                  flip, bias, indirect_bias, indirect_rel_mse);
+    text += line;
+  }
   for (const report::Entry& entry : comparison.entries) {
     for (const report::Errors& errors : entry.errors) {
       std::snprintf(line, sizeof(line), "%-36s %-20s %9.2f %7.4f %+8.4f %+9.4f %9.4f\n",
                     printable(entry.label).c_str(), printable(errors.reference).c_str(),
-                    entry.technique_ms, column(errors, "flip"), column(errors, "bias"),
-                    column(errors, "indirect_bias"), column(errors, "indirect_rel_mse"));
+                    entry.technique_ms, value_of(errors, "flip"), value_of(errors, "bias"),
+                    value_of(errors, "indirect_bias"), value_of(errors, "indirect_rel_mse"));
       text += line;
     }
     if (entry.errors.empty()) {
@@ -94,66 +164,22 @@ Outcome run_compare(CompareJob& job) {
   LUEUR_TRY(loaded, load_scene(job.scene));
   const Scene& scene = loaded.scene;
   LUEUR_TRY(camera, find_camera(scene, job.frame.camera));
-
-  report::Comparison comparison;
-  std::vector<reference::Rendering> truths;
-  {
-    const InterruptWatch watch;
-    LUEUR_TRY(whole, trace(job, scene, camera, watch.token(), truths, comparison.warnings));
-    if (!whole) {
-      print_warning("interrupted; nothing was written");
-      return kExitInterrupted;
-    }
+  // Before the device is opened, whose threads would take the signals.
+  LUEUR_TRY(traced, trace(job, scene, camera));
+  if (!traced.empty() && !traced.back().rendering.complete) {
+    print_warning("interrupted; nothing was written");
+    return kExitInterrupted;
   }
 
   LUEUR_TRY(session, open_session({.device = job.frame.device}));
-  std::vector<CandidateRequest> requests;
-  for (const ChosenTechnique& technique : job.techniques)
-    requests.push_back({technique.label, job.scene, job.setup.size, copy(technique)});
-  LUEUR_TRY(candidates,
-            make_candidates(session, std::move(requests), job.frame.camera, job.setup.seed));
+  LUEUR_TRY(candidates, candidates_of(job, session));
   print_progress("timing on " + session.system->device().name);
   LUEUR_TRY(rounds, time_in_turn(session, candidates, job.frames));
-  const std::vector<Summary> summaries = summarize(rounds, candidates);
 
-  comparison.title = scene.name + ": indirect light";
-  comparison.scene = job.scene;
-  comparison.camera = scene.cameras[static_cast<size_t>(camera)].name;
-  comparison.width = job.setup.size.width;
-  comparison.height = job.setup.size.height;
+  report::Comparison comparison = comparison_of(job, scene, camera, traced);
   comparison.device = session.system->device().name;
-  comparison.command = job.command;
-  comparison.metrics = comparison_metrics();
-  comparison.warnings.insert(comparison.warnings.end(), scene.warnings.begin(),
-                             scene.warnings.end());
-  Mask surfaces;
-  for (size_t i = 0; i < candidates.size(); ++i) {
-    print_progress("comparing " + candidates[i].label);
-    LUEUR_TRY(frame, render_candidate(session, candidates[i], kAllImages));
-    if (i == 0) {
-      // Direct light and surfaces are those of every technique's frame.
-      comparison.direct = direct_of(frame.pixels);
-      surfaces = mask_of(as_image(*find_pixels(frame.pixels, "depth"), 1));
-      for (size_t r = 0; r < truths.size(); ++r) {
-        const reference::Progress& progress = truths[r].progress;
-        report::Reference truth{
-            job.references[r].label, std::string(name_of(job.references[r].settings.mode)),
-            progress.spp_done,       std::nullopt,
-            progress.seconds,        pictures_of(truths[r], frame.pixels)};
-        if (std::isfinite(progress.relative_error)) truth.relative_error = progress.relative_error;
-        comparison.references.push_back(std::move(truth));
-      }
-      comparison.exposure_ev = static_cast<double>(scene.exposure_ev.value_or(auto_exposure_ev(
-          truths.empty() ? comparison.direct : comparison.references[0].pictures.composed)));
-    }
-    report::Entry entry = entry_of(candidates[i], summaries[i], frame.pixels);
-    for (const report::Reference& truth : comparison.references) {
-      LUEUR_TRY(errors, errors_between(entry.pictures, truth.pictures, truth.label, surfaces));
-      entry.errors.push_back(std::move(errors));
-    }
-    comparison.entries.push_back(std::move(entry));
-  }
-
+  LUEUR_TRY_VOID(
+      compare(job, scene, traced, session, candidates, summarize(rounds, candidates), comparison));
   LUEUR_TRY_VOID(report::write_comparison(comparison, job.folder));
   print_progress("wrote " + (job.folder / "index.html").string());
   LUEUR_TRY_VOID(job.json ? print_json(report::results_json(comparison))

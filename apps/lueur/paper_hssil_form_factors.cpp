@@ -6,13 +6,12 @@
 
 #include "base/check.h"
 #include "base/try.h"
-#include "console.h"
 #include "image/exposure.h"
 #include "image/picture_error.h"
 #include "image/tone_map.h"
 #include "paper.h"
 #include "picture.h"
-#include "reference_job.h"
+#include "reference_trace.h"
 #include "shading/packing.h"
 #include "technique_list.h"
 
@@ -28,16 +27,9 @@ Result<reference::Rendering> trace(const Scene& scene, const PaperSetup& setup, 
   reference::Settings settings{.mode = mode, .bounces = 1, .spp = setup.spp, .seed = setup.seed};
   // All pixels: a share of them would show the spikes of the few that lie close to a receiver.
   if (mode == reference::Mode::screen_unoccluded) settings.spp = 0;
-  const reference::Control control{
-      .progress =
-          [&](const reference::Progress& p) {
-            print_progress("tracing " + std::string(reference::name_of(mode)) + ": " + describe(p));
-          },
-      .stop = setup.stop,
-      .checkpoint = {}};
-  const reference::Shot shot{side, side, 0, 0.0f};
-  LUEUR_TRY(traced, reference::render_cached(scene, shot, settings, control, {}, setup.cache));
-  if (!traced.cache_note.empty()) print_warning(traced.cache_note);
+  LUEUR_TRY(traced,
+            trace_reference(scene, {side, side, 0, 0.0f}, settings,
+                            std::string(reference::name_of(mode)), setup.stop, setup.cache));
   return std::move(traced.rendering);
 }
 
@@ -66,10 +58,10 @@ GBuffer upload(Recorder& recorder, const reference::Rendering& traced, float nea
 Result<ImageF> gather(Session& session, const Scene& scene, const reference::Rendering& traced,
                       const char* form_factor, const PaperSetup& setup) {
   // r = 40 in the paper's rings from r to 2 r, four levels of 64 samples, no filter over time.
-  LUEUR_TRY(chosen, choose_technique("hierarchical",
-                                     {"start=full", "levels=4", "samples=64", "sample_growth=1",
-                                      "radius=80", "filter=false",
-                                      std::string("form_factor=") + form_factor}));
+  LUEUR_TRY(chosen,
+            choose_technique("hierarchical", {"start=full", "levels=4", "samples=64",
+                                              "sample_growth=1", "radius=80", "filter=false",
+                                              std::string("form_factor=") + form_factor}));
   const ImageF& depth = *find_layer(traced, "depth");
   const Shot shot{.extent = {depth.width, depth.height}};
   Recorder& recorder = session.context.recorder();

@@ -2,15 +2,14 @@
 #include "reference_job.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include "base/file.h"
 #include "base/try.h"
 #include "console.h"
-#include "image/exposure.h"
 #include "image/png.h"
 #include "interrupt.h"
 #include "json_output.h"
+#include "reference_trace.h"
 #include "session.h"
 
 namespace lueur::cli {
@@ -45,8 +44,7 @@ Result<reference::CachedRendering> trace(const ReferenceJob& job, const Scene& s
             if (const auto kept = write_file(state_path(job), bytes); !kept.ok())
               print_warning(kept.error().message);
           }};
-  auto traced =
-      reference::render_cached(scene, job.shot, job.settings, control, state, job.cache);
+  auto traced = reference::render_cached(scene, job.shot, job.settings, control, state, job.cache);
   return traced.ok() ? std::move(traced) : of_state_file(job, traced.error());
 }
 
@@ -70,14 +68,7 @@ Image8 display_picture(const ReferenceJob& job, const Scene& scene,
   if (const ImageF* occlusion = find_layer(rendering, "occlusion"))
     return to_display(*occlusion, 0.0f, ToneMap::none);
   const ImageF& picture = *find_layer(rendering, "");
-  float exposure_ev = 0.0f;
-  if (job.exposure_ev)
-    exposure_ev = *job.exposure_ev;
-  else if (scene.exposure_ev && !job.meter_exposure)
-    exposure_ev = *scene.exposure_ev;
-  else
-    exposure_ev = auto_exposure_ev(picture);
-  return to_display(picture, exposure_ev, job.tone_map);
+  return to_display(picture, exposure_ev(job.exposure, scene.exposure_ev, picture), job.tone_map);
 }
 
 Result<void> write(const ReferenceJob& job, const Scene& scene,
@@ -103,7 +94,7 @@ Json report_json(const ReferenceJob& job, const reference::CachedRendering& resu
       {"version", LUEUR_VERSION},
       {"scene", job.scene},
       {"camera", job.camera},
-      {"size", Json::array({job.shot.width, job.shot.height})},
+      {"size", size_json({job.shot.width, job.shot.height})},
       {"mode", name_of(job.settings.mode)},
       {"bounces", job.settings.bounces},
       {"seed", job.settings.seed},
@@ -122,14 +113,6 @@ Json report_json(const ReferenceJob& job, const reference::CachedRendering& resu
 }
 
 }  // namespace
-
-std::string describe(const reference::Progress& p) {
-  char line[160];
-  std::snprintf(line, sizeof(line), "%u of %u samples a pixel, error %.2f %%, %.0f s left",
-                p.spp_done, p.spp_total,
-                std::isfinite(p.relative_error) ? 100.0 * p.relative_error : 100.0, p.seconds_left);
-  return line;
-}
 
 fs::path state_path(const ReferenceJob& job) {
   fs::path path = job.destinations.front().path;

@@ -2,10 +2,10 @@
 // What `lueur reference` is to do, all of it checked, and the doing.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "destination.h"
 #include "image/tone_map.h"
@@ -22,8 +22,7 @@ struct ReferenceJob {
   bool resume = false;
   reference::Cache cache = reference::Cache::use;
 
-  std::optional<float> exposure_ev;  // stops; none: the scene's own, or metered
-  bool meter_exposure = false;
+  ExposureChoice exposure;
   ToneMap tone_map = ToneMap::khronos_neutral;
   std::vector<Destination> destinations;  // at least one
   bool json = false;
@@ -31,9 +30,6 @@ struct ReferenceJob {
 
 // Where an interrupted rendering keeps what continues it: beside the first picture.
 std::filesystem::path state_path(const ReferenceJob& job);
-
-// One line: samples done, error, time left.
-std::string describe(const reference::Progress& progress);
 
 // Traces, writes, reports. kExitInterrupted after SIGINT or SIGTERM, with what there was written.
 Outcome run_reference(ReferenceJob& job);

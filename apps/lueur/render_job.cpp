@@ -7,7 +7,6 @@
 #include "arguments.h"
 #include "base/try.h"
 #include "console.h"
-#include "image/exposure.h"
 #include "json_output.h"
 #include "picture.h"
 #include "render_output.h"
@@ -60,12 +59,6 @@ Result<void> render(const RenderJob& job, Session& session, Renderer& renderer, 
   LUEUR_TRY(frame, render_frame(session, renderer, shot, technique, images));
   report.frame = std::move(frame);
   return {};
-}
-
-float exposure(const RenderJob& job, const Scene& scene, const FrameRecord& frame) {
-  if (job.exposure_ev) return *job.exposure_ev;
-  if (scene.exposure_ev && !job.meter_exposure) return *scene.exposure_ev;
-  return auto_exposure_ev(as_image(*find_pixels(frame.pixels, "composed"), 3));
 }
 
 std::map<std::string, std::string> attributes(const RenderJob& job, const Report& report,
@@ -201,7 +194,8 @@ Outcome run_render(RenderJob& job) {
   report.validation_messages = session.system->validation_messages();
 
   Development development;
-  development.exposure_ev = exposure(job, scene, report.frame);
+  development.exposure_ev = exposure_ev(job.exposure, scene.exposure_ev,
+                                        as_image(*find_pixels(report.frame.pixels, "composed"), 3));
   development.tone_map = job.tone_map;
   development.near_m = scene.cameras[camera].near_m;
   development.attributes = attributes(job, report, device, development.exposure_ev);

@@ -2,10 +2,10 @@
 // What `lueur render` is to do, all of it checked, and the doing.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "arguments.h"
 #include "commands.h"
 #include "destination.h"
 #include "image/tone_map.h"
@@ -21,9 +21,7 @@ struct RenderJob {
   uint32_t seed = 0;
   ChosenTechnique technique;
 
-  // Stops. None: the scene's own, or metered if it has none or `meter_exposure` is set.
-  std::optional<float> exposure_ev;
-  bool meter_exposure = false;
+  ExposureChoice exposure;
   ToneMap tone_map = ToneMap::khronos_neutral;
   std::string tone_map_name;
 
