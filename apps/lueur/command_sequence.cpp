@@ -17,7 +17,7 @@ constexpr float kMostFramesASecond = 1e6f;
 
 struct Options {
   std::string scene;
-  std::string techniques = "hierarchical,none";
+  std::string techniques = "hierarchical";
   std::string from = "0";
   std::string rate = "60";
   std::string frames = "16";
@@ -46,7 +46,6 @@ Result<Hold> parse_hold(const std::string& text) {
 }
 
 Result<Sequence> check_sequence(const Options& options) {
-  Sequence sequence;
   LUEUR_TRY(setup, check(options.frame));
   LUEUR_TRY(from_s, parse_real("--from", options.from, kMostSeconds));
   LUEUR_TRY(rate, parse_rate(options.rate));
@@ -101,14 +100,13 @@ constexpr char kFooter[] =
     "  lueur sequence cornell\n"
     "  lueur sequence atrium --techniques hierarchical:samples=16,hierarchical --json\n"
     "  lueur sequence cornell --hold camera --from 2 --rate 30 --frames 30 -o frames\n"
-    "  lueur sequence cornell --fixed-seed --settle 0 --techniques hierarchical\n";
+    "  lueur sequence cornell --fixed-seed --settle 0\n";
 
 void add_sequence_options(CLI::App& command, Options& options) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     command.add_option(flag, value, help)->type_name(type);
   };
-  add("--techniques", options.techniques, "What to render with (default hierarchical,none)",
-      "LIST");
+  add("--techniques", options.techniques, "What to render with (default hierarchical)", "LIST");
   add("--from", options.from, "Seconds into the animation (default 0)", "SECONDS");
   add("--rate", options.rate, "Frames a second (default 60)", "FPS");
   add("--frames", options.frames, "Frames that count, 2 or more (default 16)", "N");
