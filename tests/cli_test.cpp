@@ -24,6 +24,7 @@ TEST_F(Cli, HelpAndVersionGoToStdout) {
                                    {"devices"},
                                    {"reference"},
                                    {"compare"},
+                                   {"sequence"},
                                    {"paper"},
                                    {"diff"},
                                    {"techniques"},
