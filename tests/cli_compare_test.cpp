@@ -58,8 +58,11 @@ TEST_F(CliCompare, HoldsTechniquesAgainstReferences) {
 }
 
 TEST_F(CliCompare, WorksWithoutTheTruth) {
-  const Ended ended = compare({"--techniques", "none", "--reference", ""});
+  const Ended ended = compare({"--techniques", "none", "--reference", "", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
+  // The command that reproduces it says so, as path is what is compared by default.
+  const Json printed = Json::parse(ended.out);
+  EXPECT_NE(printed["command"].get<std::string>().find("--reference ''"), std::string::npos);
   EXPECT_EQ(line_count(text_of(folder_ / "out/results.csv")), 2u);
 }
 

@@ -70,12 +70,8 @@ float exposure_ev(const ExposureChoice& choice, std::optional<float> of_scene,
 }
 
 Result<ToneMap> parse_tone_map(std::string_view text) {
-  std::vector<std::string> names;
-  for (const ToneMapName& row : kToneMapNames) {
-    if (row.name == text) return row.tone_map;
-    names.emplace_back(row.name);
-  }
-  return refuse("--tone-map", text, "one of " + joined(names));
+  LUEUR_TRY(row, find_named("--tone-map", text, kToneMapNames));
+  return row->tone_map;
 }
 
 Result<Assignment> parse_assignment(std::string_view flag, std::string_view text) {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -56,5 +57,19 @@ std::string shell_quoted(const std::string& text);
 
 // "a, b, c"
 std::string joined(const std::vector<std::string>& words);
+
+// The row whose `name` this is; else an error that lists the names. `rows` outlive what is
+// returned.
+template <class Rows>
+auto find_named(std::string_view flag, std::string_view text, const Rows& rows)
+    -> Result<const std::ranges::range_value_t<Rows>*> {
+  std::vector<std::string> names;
+  for (const auto& row : rows) {
+    if (row.name == text) return &row;
+    names.emplace_back(row.name);
+  }
+  return Error{ErrorKind::usage, std::string(flag) + " '" + std::string(text) +
+                                     "': expected one of " + joined(names)};
+}
 
 }  // namespace lueur::cli

@@ -28,12 +28,12 @@ struct Options {
 std::string command_of(const Options& options) {
   std::string command = "lueur compare " + shell_quoted(options.scene);
   const auto add = [&](const char* flag, const std::string& value) {
-    if (!value.empty()) command += std::string(" ") + flag + " " + shell_quoted(value);
+    command += std::string(" ") + flag + " " + shell_quoted(value);
   };
   add("--techniques", options.techniques);
   add("--reference", options.references);
   add("--size", options.frame.size);
-  add("--camera", options.frame.camera);
+  if (!options.frame.camera.empty()) add("--camera", options.frame.camera);
   add("--spp", options.spp);
   add("--bounces", options.bounces);
   add("--seed", options.frame.seed);
@@ -114,7 +114,7 @@ void add_compare(CLI::App& program, Outcome& outcome) {
   command->add_option("--bounces", options->bounces, "Bounces of path (default 1)")->type_name("N");
   command->add_option("--frames", options->frames, "Frames to time (default 10)")->type_name("N");
   command->add_flag("--no-cache", options->no_cache, "Neither use nor fill the references' cache");
-  command->add_flag("--json", options->json, "results.json on stdout, too");
+  command->add_flag("--json", options->json, "results.json on stdout instead of the table");
   command->footer(std::string(kFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }

@@ -65,24 +65,6 @@ Result<FileKind> kind_of(const std::string& path) {
   return Error{ErrorKind::usage, "'" + path + "': the name of a picture ends in .png or .exr"};
 }
 
-Result<const ErrorMetric*> find_metric(const std::string& name) {
-  std::vector<std::string> names;
-  for (const ErrorMetric& metric : kErrorMetrics) {
-    if (metric.name == name) return &metric;
-    names.emplace_back(metric.name);
-  }
-  return Error{ErrorKind::usage, "--metric '" + name + "': expected one of " + joined(names)};
-}
-
-Result<const ErrorMap*> find_map(const std::string& name) {
-  std::vector<std::string> names;
-  for (const ErrorMap& map : kMaps) {
-    if (map.name == name) return &map;
-    names.emplace_back(map.name);
-  }
-  return Error{ErrorKind::usage, "--map '" + name + "': expected one of " + joined(names)};
-}
-
 Result<void> check_limit(const Options& options, Job& job) {
   if (options.fail_above.empty()) return {};
   if (options.metrics.size() > 1)
@@ -90,7 +72,9 @@ Result<void> check_limit(const Options& options, Job& job) {
   LUEUR_TRY(limit, parse_real("--fail-above", options.fail_above, 1e9f));
   if (limit < 0.0f)
     return Error{ErrorKind::usage, "--fail-above '" + options.fail_above + "': expected 0 or more"};
-  LUEUR_TRY(metric, find_metric(options.metrics.empty() ? "flip" : options.metrics.front()));
+  LUEUR_TRY(metric,
+            find_named("--metric", options.metrics.empty() ? "flip" : options.metrics.front(),
+                       kErrorMetrics));
   if (!metric->is_error)
     return Error{ErrorKind::usage, "--fail-above: " + std::string(metric->name) +
                                        " does not grow with the error; choose another --metric"};
@@ -114,14 +98,14 @@ Result<Job> check(const Options& options) {
       return Error{ErrorKind::usage, std::string(flag) + " '" + *layer +
                                          "': PNG files have no layers; give EXR files"};
   for (const std::string& name : options.metrics) {
-    LUEUR_TRY(metric, find_metric(name));
+    LUEUR_TRY(metric, find_named("--metric", name, kErrorMetrics));
     job.shown.push_back(metric);
   }
   if (job.shown.empty())
     for (const ErrorMetric& metric : kErrorMetrics) job.shown.push_back(&metric);
   LUEUR_TRY_VOID(check_limit(options, job));
   if (!options.map.empty()) {
-    LUEUR_TRY(map, find_map(options.map));
+    LUEUR_TRY(map, find_named("--map", options.map, kMaps));
     job.map = map;
   }
   if (!options.output.empty()) {

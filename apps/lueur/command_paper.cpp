@@ -26,15 +26,6 @@ struct Options {
   bool json = false;
 };
 
-Result<const Paper*> find_paper(const std::string& name) {
-  std::vector<std::string> names;
-  for (const Paper& paper : papers()) {
-    if (paper.name == name) return &paper;
-    names.emplace_back(paper.name);
-  }
-  return Error{ErrorKind::usage, "paper '" + name + "': expected one of " + joined(names)};
-}
-
 // The figures of "4,6" in the paper's order; all of them for "".
 Result<std::vector<const PaperFigure*>> find_figures(const Paper& paper, const std::string& list) {
   std::vector<std::string> wanted, known;
@@ -51,9 +42,25 @@ Result<std::vector<const PaperFigure*>> find_figures(const Paper& paper, const s
   return found;
 }
 
+// Everything that decides the result, defaults included, so that it holds for later versions, too.
+std::string command_of(const Options& options) {
+  std::string command = "lueur paper " + options.name;
+  const auto add = [&](const char* flag, const std::string& value) {
+    if (!value.empty()) command += std::string(" ") + flag + " " + shell_quoted(value);
+  };
+  add("--figures", options.figures);
+  add("--size", options.size);
+  add("--picture-size", options.picture_size);
+  add("--spp", options.spp);
+  add("--frames", options.frames);
+  add("--seed", options.seed);
+  add("-o", options.folder);
+  return command;
+}
+
 Result<PaperJob> check(const Options& options) {
   PaperJob job;
-  LUEUR_TRY(paper, find_paper(options.name));
+  LUEUR_TRY(paper, find_named("paper", options.name, papers()));
   job.paper = paper;
   LUEUR_TRY(figures, find_figures(*paper, options.figures));
   job.figures = figures;
@@ -70,13 +77,9 @@ Result<PaperJob> check(const Options& options) {
   if (options.no_cache) job.setup.cache = reference::Cache::ignore;
   job.device = options.device;
   job.json = options.json;
-  job.command = "lueur paper " + options.name +
-                (options.figures.empty() ? "" : " --figures " + options.figures) + " --size " +
-                options.size + " --picture-size " + options.picture_size + " --spp " + options.spp +
-                " --frames " + options.frames + " --seed " + options.seed;
+  job.command = command_of(options);
   if (!options.folder.empty()) {
     job.folder = options.folder;
-    job.command += " -o " + shell_quoted(options.folder);
     LUEUR_TRY_VOID(make_folder(job.folder));
   }
   return job;

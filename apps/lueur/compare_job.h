@@ -28,7 +28,8 @@ struct CompareJob {
 };
 
 // Traces the references, renders and times the techniques, writes the page and its tables, and
-// prints the errors. kExitInterrupted, and nothing written, after SIGINT or SIGTERM.
+// prints the errors. kExitInterrupted, and nothing written, after SIGINT or SIGTERM while it
+// traces; from then on they end the process, also with nothing half-written.
 Outcome run_compare(CompareJob& job);
 
 }  // namespace lueur::cli

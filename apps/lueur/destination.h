@@ -28,7 +28,7 @@ Result<std::vector<Destination>> check_destinations(const std::vector<std::strin
 // Checks the folder of one file, and that the path itself is not a folder.
 Result<void> check_writable(const std::filesystem::path& path);
 
-// The folder of --dump-to, which is made if it is missing.
+// Makes the folder where it is missing, and checks that files can be written into it.
 Result<void> make_folder(const std::filesystem::path& folder);
 
 // The path's ending in lower case, with its dot.

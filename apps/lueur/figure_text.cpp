@@ -59,7 +59,7 @@ std::string table_text(const report::Table& table) {
     for (size_t c = 0; c < line.size(); ++c) {
       size_t width = 0;
       for (const auto& other : lines) width = std::max(width, width_of(other[c]));
-      text += (c == 0 ? "  " : "  ") + padded(line[c], width, c == 0);
+      text += "  " + padded(line[c], width, c == 0);
     }
     text += '\n';
   }

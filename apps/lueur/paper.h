@@ -31,6 +31,7 @@ struct PaperSetup {
 struct PaperFigure {
   std::string_view number;  // in the paper
   std::string_view title;
+  // What it returns counts for nothing once `setup.stop` asks for an early end.
   Result<report::FigureSection> (*make)(Session& session, const PaperSetup& setup);
 };
 
@@ -61,6 +62,8 @@ struct PaperJob {
   std::string command;
   bool json = false;
 };
+// Makes the figures, writes the page, prints the tables. kExitInterrupted, and nothing written,
+// after SIGINT or SIGTERM, which count between figures and while a reference is traced.
 Outcome run_paper(PaperJob& job);
 
 }  // namespace lueur::cli

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // HSSIL figure 5: equation (3) and equation (4) on a G-buffer that was traced, beside the truth.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
-#include "base/check.h"
 #include "base/try.h"
 #include "image/exposure.h"
 #include "image/picture_error.h"
@@ -128,6 +128,32 @@ Result<double> relative_rmse(const ImageF& test, const ImageF& reference, const 
   return errors.rmse / (mean / static_cast<double>(surfaces.pixel_count()));
 }
 
+// The methods in the order of the figure, and those of them that others are held against.
+using Methods = std::array<Method, 5>;
+constexpr size_t kPath = 2, kScreen = 3, kAllPixels = 4;
+
+Result<report::Table> error_table(const Methods& methods, const Mask& surfaces) {
+  report::Table table{"How far each is off", {}, {}};
+  table.columns = {{"", "", "", 3},
+                   {"roughness", "", "slice", 3},
+                   {"largest / truth's", "", "slice", 3},
+                   {"all pixels", "", "relative RMSE against", 3},
+                   {"what the camera sees", "", "relative RMSE against", 3},
+                   {"path traced", "", "relative RMSE against", 3}};
+  const double truth_largest = largest(slice(methods[kPath]));
+  for (const Method& method : methods) {
+    const report::Curve curve = slice(method);
+    std::vector<report::Cell> row = {method.name, roughness(curve),
+                                     truth_largest > 0.0 ? largest(curve) / truth_largest : 0.0};
+    for (const size_t reference : {kAllPixels, kScreen, kPath}) {
+      LUEUR_TRY(error, relative_rmse(*method.light, *methods[reference].light, surfaces));
+      row.emplace_back(error);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 }  // namespace
 
 Result<report::FigureSection> form_factors(Session& session, const PaperSetup& setup) {
@@ -142,48 +168,34 @@ Result<report::FigureSection> form_factors(Session& session, const PaperSetup& s
   LUEUR_TRY(by_disc, gather(session, scene, path, "disc", setup));
 
   const Mask surfaces = mask_of(*find_layer(path, "depth"));
-  const Method methods[] = {
-      {"equation (3), point to point", &by_point, false},
-      {"equation (4), point to disc", &by_disc, false},
-      {"path traced", find_layer(path, "indirect"), true},
-      {"path traced, what the camera sees", find_layer(screen, "indirect"), true},
-      {"equation (4) over all pixels", find_layer(sum, "indirect"), true}};
+  const Methods methods = {
+      {{"equation (3), point to point", &by_point, false},
+       {"equation (4), point to disc", &by_disc, false},
+       {"path traced", find_layer(path, "indirect"), true},
+       {"path traced, what the camera sees", find_layer(screen, "indirect"), true},
+       {"equation (4) over all pixels", find_layer(sum, "indirect"), true}}};
 
   report::PictureRow pictures{{}, "Incident indirect light, E/π, one bounce."};
   report::Plot plot{"Luminance of E/π along the line in the pictures",
                     {"pixel", false},
                     {"E/π, cd/m²", false},
                     {}};
-  report::Table table{"How far each is off", {}, {}};
-  table.columns = {{"", "", "", 3},
-                   {"roughness", "", "slice", 3},
-                   {"largest / truth's", "", "slice", 3},
-                   {"all pixels", "", "relative RMSE against", 3},
-                   {"what the camera sees", "", "relative RMSE against", 3},
-                   {"path traced", "", "relative RMSE against", 3}};
-  const double truth_largest = largest(slice(methods[2]));
+  LUEUR_TRY(table, error_table(methods, surfaces));
   const auto y = static_cast<double>(slice_row(by_disc)) + 0.5;
   const float exposure_ev = scene.exposure_ev.value_or(0.0f) + 1.0f;
   for (const Method& method : methods) {
     pictures.pictures.push_back({to_display(*method.light, exposure_ev, ToneMap::khronos_neutral),
                                  method.name,
                                  {{0.0, y, static_cast<double>(side), y}}});
-    const report::Curve curve = slice(method);
-    LUEUR_TRY(to_sum, relative_rmse(*method.light, *methods[4].light, surfaces));
-    LUEUR_TRY(to_screen, relative_rmse(*method.light, *methods[3].light, surfaces));
-    LUEUR_TRY(to_path, relative_rmse(*method.light, *methods[2].light, surfaces));
-    table.rows.push_back({method.name, roughness(curve),
-                          truth_largest > 0.0 ? largest(curve) / truth_largest : 0.0, to_sum,
-                          to_screen, to_path});
-    plot.curves.push_back(curve);
+    plot.curves.push_back(slice(method));
   }
   report::FigureSection section;
   section.blocks = {
       report::Paragraph{
           "cornell, " + std::to_string(side) + " x " + std::to_string(side) +
           ". Both equations gather from a traced image of direct light: r = 40, 4 levels, 64 "
-          "samples "
-          "a level, full resolution, no filter over time. The paper: the spikes of equation (3) "
+          "samples a level, full resolution, no filter over time. The paper: the spikes of "
+          "equation (3) "
           "where surfaces meet are not there in equation (4)."},
       pictures, plot, table,
       report::Paragraph{

@@ -20,13 +20,8 @@ Result<float> parse_above_zero(const std::string& where, const std::string& text
 }  // namespace
 
 Result<reference::Mode> parse_mode(std::string_view where, const std::string& text) {
-  std::vector<std::string> names;
-  for (const reference::ModeName& row : reference::mode_names()) {
-    if (row.name == text) return row.mode;
-    names.emplace_back(row.name);
-  }
-  return Error{ErrorKind::usage,
-               std::string(where) + " '" + text + "': expected one of " + joined(names)};
+  LUEUR_TRY(row, find_named(where, text, reference::mode_names()));
+  return row->mode;
 }
 
 Result<void> set_reference(reference::Settings& settings, std::string_view where,

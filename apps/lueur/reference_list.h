@@ -17,7 +17,7 @@ struct ChosenReference {
 
 Result<reference::Mode> parse_mode(std::string_view where, const std::string& text);
 
-// Sets `spp`, `bounces`, `error`, `distance` or `form_factor` from text. The error
+// Sets `spp`, `bounces`, `error`, `distance` or `form-factor` from text. The error
 // (ErrorKind::usage) begins with `where` and the key.
 Result<void> set_reference(reference::Settings& settings, std::string_view where,
                            const std::string& key, const std::string& value);

@@ -22,10 +22,6 @@ float balance(float pdf, float other) {
   return pdf / (pdf + other);
 }
 
-bool is_black(const glm::vec3& c) {
-  return c == glm::vec3(0.0f);
-}
-
 }  // namespace
 
 glm::vec3 PathVertex::reflected(const glm::vec3& to_light) const {

@@ -9,13 +9,6 @@
 #include "shading/punctual_light.h"
 
 namespace lueur::reference {
-namespace {
-
-bool is_black(const glm::vec3& c) {
-  return c == glm::vec3(0.0f);
-}
-
-}  // namespace
 
 Arrival arrival(const PlacedLight& light, const glm::vec3& position) {
   Arrival a{-light.direction_world, light.intensity, std::numeric_limits<float>::infinity()};

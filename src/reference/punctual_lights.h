@@ -6,6 +6,11 @@
 
 namespace lueur::reference {
 
+// Whether there is no light in it at all.
+inline bool is_black(const glm::vec3& light) {
+  return light == glm::vec3(0.0f);
+}
+
 // Light of one light at one point, as if nothing stood between.
 struct Arrival {
   glm::vec3 to_light{0.0f};    // unit

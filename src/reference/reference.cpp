@@ -54,8 +54,8 @@ class Job {
   Result<Rendering> run(const std::string& key, std::span<const uint8_t> resume_from);
 
  private:
-  bool for_each_tile(const std::function<void(uint32_t x, uint32_t y, uint64_t& rays)>& pixel,
-                     bool may_stop);
+  bool for_each_pixel(const std::function<void(uint32_t x, uint32_t y, uint64_t& rays)>& pixel,
+                      bool may_stop);
   void see();
   bool trace_pass();
   uint32_t passes_wanted() const;
@@ -80,9 +80,9 @@ class Job {
   Progress progress_;
 };
 
-// Calls `pixel` for every pixel, from all threads. False when stopped before the last.
-bool Job::for_each_tile(const std::function<void(uint32_t x, uint32_t y, uint64_t& rays)>& pixel,
-                        bool may_stop) {
+// Calls `pixel` for every pixel, a tile at a time, from all threads. False when stopped early.
+bool Job::for_each_pixel(const std::function<void(uint32_t x, uint32_t y, uint64_t& rays)>& pixel,
+                         bool may_stop) {
   const uint32_t columns = (shot_.width + kTilePx - 1) / kTilePx;
   const uint32_t rows = (shot_.height + kTilePx - 1) / kTilePx;
   std::atomic<uint32_t> next = 0;
@@ -110,7 +110,7 @@ bool Job::for_each_tile(const std::function<void(uint32_t x, uint32_t y, uint64_
 void Job::see() {
   const bool keep = settings_.mode == Mode::screen_unoccluded;
   if (keep) hits_.resize(means_.size());
-  for_each_tile(
+  for_each_pixel(
       [&](uint32_t x, uint32_t y, uint64_t& rays) {
         ++rays;
         const auto hit = first_hit(world_, camera_, x, y);
@@ -133,7 +133,7 @@ uint32_t Job::passes_wanted() const {
 bool Job::trace_pass() {
   const uint32_t pass = sums_.passes();
   if (screen_sum_) screen_sum_->begin_pass(pass);
-  const bool whole = for_each_tile(
+  const bool whole = for_each_pixel(
       [&](uint32_t x, uint32_t y, uint64_t& rays) {
         const size_t i = size_t{y} * shot_.width + x;
         means_[i] = {};

@@ -16,12 +16,12 @@
 //
 // L(x, w) is the radiance that arrives from the surface point y that x sees along w:
 //
-//   path                y's emission and what y reflects, by its whole BRDF, of punctual lights
-//   and,
-//                       with more than one bounce, of other surfaces: bounces - 1 further ones
-//   screen              y's emission and diffuse reflection of punctual lights if the camera sees
-//   y,
-//                       else 0: the most that a technique can know from one view's G-buffer
+//   path                y's emission and what y reflects, by its whole BRDF, of punctual
+//                       lights and, with more than one bounce, of other surfaces: bounces - 1
+//                       further ones
+//   screen              y's emission and diffuse reflection of punctual lights if the camera
+//                       sees y, else 0: the most that a technique can know from one view's
+//                       G-buffer
 //   screen_unoccluded   no rays: the sum over all pixels j of HSSIL (4), or (3), with visibility 1:
 //                       diffuse = sum of L_j F(x, j)
 //   ambient             no light: occlusion(x), the cosine-weighted share of directions that are
