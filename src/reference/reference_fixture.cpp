@@ -145,6 +145,10 @@ const ImageF& layer(const Rendering& rendering, const std::string& name) {
   return found ? *found : kNothing;
 }
 
+ImageF layer(Rendering&& rendering, const std::string& name) {
+  return layer(static_cast<const Rendering&>(rendering), name);
+}
+
 bool same_layers(const Rendering& a, const Rendering& b) {
   if (a.layers.size() != b.layers.size() || a.layers.empty()) return false;
   for (const ImageLayer& l : a.layers) {

@@ -28,6 +28,8 @@ Rendering rendered(const Scene& scene, const Shot& shot, const Settings& setting
                    const Control& control = {}, std::span<const uint8_t> resume_from = {});
 // The layer, which has to be there.
 const ImageF& layer(const Rendering& rendering, const std::string& name);
+// Of a rendering that goes away, a layer that does not.
+ImageF layer(Rendering&& rendering, const std::string& name);
 // Whether both have the same layers, bit for bit.
 bool same_layers(const Rendering& a, const Rendering& b);
 
