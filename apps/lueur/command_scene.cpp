@@ -13,6 +13,7 @@
 #include "frame_options.h"
 #include "json_output.h"
 #include "scene/builtin/builtin.h"
+#include "scene/deform.h"
 #include "scene/gltf_export.h"
 #include "session.h"
 
@@ -88,7 +89,7 @@ Json materials_json(const Scene& scene) {
 
 Json info_json(const std::string& spec, const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
-  const Bounds box = bounds(scene, pose(scene, 0.0f));
+  const Bounds box = bounds_at(scene, 0.0f);
   uint64_t vertices = 0;
   for (const Mesh& mesh : scene.meshes) vertices += mesh.vertices.size();
   Json json = {{"scene", spec},

@@ -233,6 +233,10 @@ MaterialSet Recorder::material_set(std::vector<Bound> bindings) {
 }
 
 void DrawList::material(MaterialSet set) {
+  // Depth alone needs no textures.
+  const auto& all = pipeline_.interface.bindings;
+  if (std::none_of(all.begin(), all.end(), [](const auto& binding) { return binding.set == 1; }))
+    return;
   const auto key = std::pair(&pipeline_, set.index);
   auto found = recorder_.material_descriptor_sets_.find(key);
   if (found == recorder_.material_descriptor_sets_.end()) {

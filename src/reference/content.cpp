@@ -3,9 +3,12 @@
 
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <span>
+
+#include "scene/deform.h"
 
 namespace lueur::reference {
 namespace {
@@ -30,6 +33,7 @@ class Hash {
     XXH3_128bits_update(state_.get(), values.data(), values.size_bytes());
   }
   void add(const Material& m);
+  void add(const TextureUse& use);
   void add(const Texture& t);
   void add(const Mesh& m);
   void add(const Light& l);
@@ -54,12 +58,19 @@ void Hash::add(const Material& m) {
   add(m.base_color);
   add(std::array{m.metallic, m.roughness, m.specular, m.normal_scale, m.alpha_cutoff});
   add(m.emission);
-  add(std::array{m.base_color_texture, m.metallic_roughness_texture, m.normal_texture,
-                 m.emission_texture});
-  add(std::array{m.alpha_mode == AlphaMode::mask, m.double_sided, m.phong.has_value()});
+  for (const TextureUse* use : {&m.base_color_texture, &m.metallic_roughness_texture,
+                                &m.normal_texture, &m.emission_texture})
+    add(*use);
+  add(std::array{m.alpha_mode == AlphaMode::mask, m.double_sided, m.unlit, m.phong.has_value()});
   if (!m.phong) return;
   add(m.phong->color);
   add(std::array{m.phong->exponent, m.phong->c_xy, m.phong->c_z});
+}
+
+void Hash::add(const TextureUse& use) {
+  add(use.texture);
+  add(use.uv_set);
+  add(use.transform);
 }
 
 void Hash::add(const Texture& t) {
@@ -70,7 +81,7 @@ void Hash::add(const Texture& t) {
 }
 
 void Hash::add(const Mesh& m) {
-  static_assert(sizeof(Vertex) == 12 * sizeof(float) && sizeof(Primitive) == 3 * sizeof(uint32_t));
+  static_assert(sizeof(Vertex) == 16 * sizeof(float) && sizeof(Primitive) == 3 * sizeof(uint32_t));
   add_all(std::span(m.vertices));
   add_all(std::span(m.indices));
   add_all(std::span(m.primitives));
@@ -83,7 +94,8 @@ void Hash::add(const Light& l) {
   add(std::array{l.intensity, l.inner_cone_rad, l.outer_cone_rad});
 }
 
-Hash hash_of(const Scene& scene, const Shot& shot, const Settings& settings) {
+// `scene` without skins and morph targets.
+Hash hash_of_rigid(const Scene& scene, const Shot& shot, const Settings& settings) {
   Hash hash;
   hash.add(kVersion);
   // Lengths first, so that what ends one list never reads as the beginning of the next.
@@ -105,6 +117,14 @@ Hash hash_of(const Scene& scene, const Shot& shot, const Settings& settings) {
                       static_cast<uint32_t>(settings.form_factor)});
   hash.add(settings.ambient_distance_m);
   return hash;
+}
+
+Hash hash_of(const Scene& scene, const Shot& shot, const Settings& settings) {
+  // What skins and morph targets do at the shot's time counts, not how they do it.
+  const auto deforms = [&](const MeshInstance& instance) { return is_deformed(scene, instance); };
+  return std::any_of(scene.instances.begin(), scene.instances.end(), deforms)
+             ? hash_of_rigid(with_deformed_meshes(scene, shot.time_s), shot, settings)
+             : hash_of_rigid(scene, shot, settings);
 }
 
 }  // namespace

@@ -21,11 +21,17 @@ struct Mask {
 
 // The alpha that a rasterizer's test would see, from the finest level of the texture.
 float alpha_at(const Mask& mask, uint32_t triangle, float u, float v) {
-  float alpha = mask.material->base_color.a;
-  if (!mask.base_color) return alpha;
   const uint32_t* index = &mask.mesh->indices[mask.part->first_index + 3 * size_t{triangle}];
-  const auto uv = [&](int corner) { return mask.mesh->vertices[index[corner]].uv; };
-  return alpha * mask.base_color->finest((1.0f - u - v) * uv(0) + u * uv(1) + v * uv(2)).a;
+  const auto& vertices = mask.mesh->vertices;
+  const Vertex &a = vertices[index[0]], &b = vertices[index[1]], &c = vertices[index[2]];
+  const float w = 1.0f - u - v;
+  const float alpha =
+      mask.material->base_color.a * (w * color_of(a).a + u * color_of(b).a + v * color_of(c).a);
+  if (!mask.base_color) return alpha;
+  const glm::vec2 place =
+      texture_place(mask.material->base_color_texture, w * a.uv + u * b.uv + v * c.uv,
+                    w * a.uv_2 + u * b.uv_2 + v * c.uv_2);
+  return alpha * mask.base_color->finest(place).a;
 }
 
 bool is_hole_in(const Mask& mask, uint32_t triangle, float u, float v) {
@@ -124,9 +130,10 @@ void RayScene::State::add_part(const Part& part) {
     auto mask = std::make_unique<Mask>();
     mask->mesh = &mesh;
     mask->material = &material;
-    if (material.base_color_texture != kNone)
-      mask->base_color.emplace(scene->textures[static_cast<size_t>(material.base_color_texture)],
-                               TextureSampler::Encoding::srgb);
+    if (material.base_color_texture.is_used())
+      mask->base_color.emplace(
+          scene->textures[static_cast<size_t>(material.base_color_texture.texture)],
+          TextureSampler::Encoding::srgb);
     rtcSetGeometryUserData(geometry, mask.get());
     rtcSetGeometryIntersectFilterFunction(geometry, pass_holes);
     rtcSetGeometryOccludedFilterFunction(geometry, pass_holes);

@@ -5,15 +5,16 @@
 #include <cmath>
 
 #include "base/try.h"
+#include "scene/deform.h"
 #include "shading/brdf.h"
 
 namespace lueur::reference {
 namespace {
 
-std::optional<TextureSampler> sampler(const Scene& scene, int32_t texture,
+std::optional<TextureSampler> sampler(const Scene& scene, const TextureUse& use,
                                       TextureSampler::Encoding encoding) {
-  if (texture == kNone) return std::nullopt;
-  return TextureSampler(scene.textures[static_cast<size_t>(texture)], encoding);
+  if (!use.is_used()) return std::nullopt;
+  return TextureSampler(scene.textures[static_cast<size_t>(use.texture)], encoding);
 }
 
 // How far the barycentric coordinates (u, v) move with a ray's step, on the triangle's plane: the
@@ -31,10 +32,14 @@ glm::vec2 barycentric_step(const RayScene::Corners& t, const Ray& ray, float dis
   return {glm::dot(glm::cross(moved, e2), n) / area2, glm::dot(glm::cross(e1, moved), n) / area2};
 }
 
-glm::vec4 look_up(const TextureSampler& texture, const TexturePlace& place) {
-  return place.pixel_steps
-             ? texture.filtered(place.uv, place.pixel_steps->first, place.pixel_steps->second)
-             : texture.finest(place.uv);
+glm::vec4 look_up(const TextureSampler& texture, const TextureUse& use, const TexturePlace& place) {
+  const glm::vec2 at = texture_place(use, place.at.uv, place.at.uv_2);
+  if (!place.pixel_steps) return texture.finest(at);
+  // A step is a difference of places: the offset drops out.
+  const auto moved = [&](const TexturePlace::Coordinates& step) {
+    return glm::mat2(use.transform) * (use.uv_set == 0 ? step.uv : step.uv_2);
+  };
+  return texture.filtered(at, moved(place.pixel_steps->first), moved(place.pixel_steps->second));
 }
 
 }  // namespace
@@ -43,6 +48,16 @@ World::World(RayScene rays, std::vector<glm::mat4> world_from_node)
     : rays_(std::move(rays)), world_from_node_(std::move(world_from_node)) {}
 
 Result<World> World::create(const Scene& scene, float time_s) {
+  const auto deforms = [&](const MeshInstance& instance) { return is_deformed(scene, instance); };
+  if (std::none_of(scene.instances.begin(), scene.instances.end(), deforms))
+    return create_rigid(scene, time_s);
+  auto deformed = std::make_unique<Scene>(with_deformed_meshes(scene, time_s));
+  LUEUR_TRY(world, create_rigid(*deformed, time_s));
+  world.deformed_ = std::move(deformed);
+  return std::move(world);
+}
+
+Result<World> World::create_rigid(const Scene& scene, float time_s) {
   std::vector<glm::mat4> posed = pose(scene, time_s);
   LUEUR_TRY(rays, RayScene::create(scene, posed));
   World world(std::move(rays), std::move(posed));
@@ -93,12 +108,23 @@ World::TriangleVertices World::vertices_of(const Touch& touch) const {
   return {mesh.vertices[index[0]], mesh.vertices[index[1]], mesh.vertices[index[2]]};
 }
 
-Surface World::surface(const Touch& touch) const {
-  const TriangleVertices t = vertices_of(touch);
+TexturePlace::Coordinates World::coordinates(const TriangleVertices& t, float u, float v) {
+  const float w = 1.0f - u - v;
+  return {w * t.a.uv + u * t.b.uv + v * t.c.uv, w * t.a.uv_2 + u * t.b.uv_2 + v * t.c.uv_2};
+}
+
+Surface World::surface_at(const Touch& touch, const TriangleVertices& t,
+                          const TexturePlace& place) const {
   const float w = 1.0f - touch.u - touch.v;
-  Surface s{touch, {}, {w * t.a.uv + touch.u * t.b.uv + touch.v * t.c.uv, {}}};
+  const glm::vec4 color = w * color_of(t.a) + touch.u * color_of(t.b) + touch.v * color_of(t.c);
+  Surface s{touch, {}, place, glm::vec3(color)};
   s.normal = normal_of(s, t);
   return s;
+}
+
+Surface World::surface(const Touch& touch) const {
+  const TriangleVertices t = vertices_of(touch);
+  return surface_at(touch, t, {coordinates(t, touch.u, touch.v), {}});
 }
 
 Surface World::surface(const Ray& ray, const Hit& hit, const glm::vec3& step_x,
@@ -106,17 +132,13 @@ Surface World::surface(const Ray& ray, const Hit& hit, const glm::vec3& step_x,
   const Touch met = touch(ray, hit);
   const TriangleVertices t = vertices_of(met);
   const RayScene::Corners corners = rays_.corners(hit.part, hit.triangle);
-  const auto uv_step = [&](const glm::vec3& step) {
-    const glm::vec2 moved = barycentric_step(corners, ray, hit.distance, step);
-    return moved.x * (t.b.uv - t.a.uv) + moved.y * (t.c.uv - t.a.uv);
+  const auto moved = [&](const glm::vec3& step) -> TexturePlace::Coordinates {
+    const glm::vec2 by = barycentric_step(corners, ray, hit.distance, step);
+    return {by.x * (t.b.uv - t.a.uv) + by.y * (t.c.uv - t.a.uv),
+            by.x * (t.b.uv_2 - t.a.uv_2) + by.y * (t.c.uv_2 - t.a.uv_2)};
   };
-  const float w = 1.0f - met.u - met.v;
-  Surface s{
-      met,
-      {},
-      {w * t.a.uv + met.u * t.b.uv + met.v * t.c.uv, std::pair(uv_step(step_x), uv_step(step_y))}};
-  s.normal = normal_of(s, t);
-  return s;
+  return surface_at(met, t,
+                    {coordinates(t, met.u, met.v), std::pair(moved(step_x), moved(step_y))});
 }
 
 // Interpolates and maps the normal as g_buffer.frag does.
@@ -135,7 +157,8 @@ glm::vec3 World::normal_of(const Surface& s, const TriangleVertices& t) const {
     const glm::vec3 tangent = glm::normalize(along - n * glm::dot(n, along));
     const glm::vec3 bitangent = glm::cross(n, tangent) * t.a.tangent.w;
     const float scale = material_of(s.part).normal_scale;
-    const glm::vec3 mapped = glm::vec3(look_up(*texture, s.place)) * 2.0f - 1.0f;
+    const glm::vec3 mapped =
+        glm::vec3(look_up(*texture, material_of(s.part).normal_texture, s.place)) * 2.0f - 1.0f;
     const glm::vec3 perturbed =
         tangent * (scale * mapped.x) + bitangent * (scale * mapped.y) + n * mapped.z;
     if (glm::dot(perturbed, perturbed) > 1e-8f) n = glm::normalize(perturbed);
@@ -143,18 +166,26 @@ glm::vec3 World::normal_of(const Surface& s, const TriangleVertices& t) const {
   return s.is_front ? n : -n;
 }
 
-glm::vec3 World::base_color_of(const Surface& s) const {
+glm::vec3 World::shown_color_of(const Surface& s) const {
   const MaterialTextures& textures = textures_of(s.part);
-  const glm::vec3 factor(material_of(s.part).base_color);
-  return textures.base_color ? factor * glm::vec3(look_up(*textures.base_color, s.place)) : factor;
+  const Material& material = material_of(s.part);
+  const glm::vec3 factor = glm::vec3(material.base_color) * s.color;
+  if (!textures.base_color) return factor;
+  return factor * glm::vec3(look_up(*textures.base_color, material.base_color_texture, s.place));
+}
+
+glm::vec3 World::base_color_of(const Surface& s) const {
+  return material_of(s.part).unlit ? glm::vec3(0.0f) : shown_color_of(s);
 }
 
 glm::vec2 World::metallic_roughness_of(const Surface& s) const {
   const MaterialTextures& textures = textures_of(s.part);
   const Material& material = material_of(s.part);
+  if (material.unlit) return glm::vec2(0.0f, 1.0f);
   const glm::vec2 factor(material.metallic, material.roughness);
   if (!textures.metallic_roughness) return factor;
-  const glm::vec4 texel = look_up(*textures.metallic_roughness, s.place);
+  const glm::vec4 texel =
+      look_up(*textures.metallic_roughness, material.metallic_roughness_texture, s.place);
   return factor * glm::vec2(texel.b, texel.g);
 }
 
@@ -166,35 +197,42 @@ Bsdf World::bsdf(const Surface& s, const glm::vec3& to_eye, float least_diffuse_
   const Material& material = material_of(s.part);
   const glm::vec3 base_color = base_color_of(s);
   const glm::vec2 mr = metallic_roughness_of(s);
+  const float specular = material.unlit ? 0.0f : material.specular;
   return {{.normal = s.normal,
            .to_eye = to_eye,
            .diffuse_albedo = diffuse_albedo(base_color, mr.x),
-           .specular_f0 = specular_f0(base_color, mr.x, material.specular),
-           .specular_f90 = specular_f90(mr.x, material.specular),
+           .specular_f0 = specular_f0(base_color, mr.x, specular),
+           .specular_f90 = specular_f90(mr.x, specular),
            .roughness = mr.y,
            .phong = material.phong},
           least_diffuse_share};
 }
 
 glm::vec3 World::mean_emission(uint32_t part) const {
-  const auto& texture = textures_of(part).emission;
-  return material_of(part).emission * (texture ? glm::vec3(texture->mean()) : glm::vec3(1.0f));
+  const Material& material = material_of(part);
+  const MaterialTextures& textures = textures_of(part);
+  const auto& texture = material.unlit ? textures.base_color : textures.emission;
+  return (material.unlit ? glm::vec3(material.base_color) : material.emission) *
+         (texture ? glm::vec3(texture->mean()) : glm::vec3(1.0f));
 }
 
 glm::vec3 World::emission_at(uint32_t part, uint32_t triangle, float u, float v) const {
-  const glm::vec3 emission = material_of(part).emission;
-  if (emission == glm::vec3(0.0f)) return emission;
+  const Material& material = material_of(part);
+  if (!material.unlit && material.emission == glm::vec3(0.0f)) return material.emission;
   if (rays_.is_hole(part, triangle, u, v)) return glm::vec3(0.0f);
-  const auto& texture = textures_of(part).emission;
-  if (!texture) return emission;
-  const TriangleVertices t = vertices_of({.part = part, .triangle = triangle, .u = u, .v = v});
-  return emission * glm::vec3(texture->finest((1.0f - u - v) * t.a.uv + u * t.b.uv + v * t.c.uv));
+  const Touch touch{.part = part, .triangle = triangle, .u = u, .v = v};
+  const TriangleVertices t = vertices_of(touch);
+  const float w = 1.0f - u - v;
+  const glm::vec4 color = w * color_of(t.a) + u * color_of(t.b) + v * color_of(t.c);
+  return emission_of(Surface{touch, {}, {coordinates(t, u, v), {}}, glm::vec3(color)});
 }
 
 glm::vec3 World::emission_of(const Surface& s) const {
+  const Material& material = material_of(s.part);
+  if (material.unlit) return shown_color_of(s);
   const auto& texture = textures_of(s.part).emission;
-  const glm::vec3 emission = material_of(s.part).emission;
-  return texture ? emission * glm::vec3(look_up(*texture, s.place)) : emission;
+  if (!texture) return material.emission;
+  return material.emission * glm::vec3(look_up(*texture, material.emission_texture, s.place));
 }
 
 glm::vec3 World::origin(const Touch& touch, const glm::vec3& direction) {

@@ -2,6 +2,7 @@
 // A posed scene as light meets it: surfaces with their materials, and what shines.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -14,9 +15,12 @@ namespace lueur::reference {
 
 // Where on a material's textures a point lies.
 struct TexturePlace {
-  glm::vec2 uv{0.0f};
+  struct Coordinates {
+    glm::vec2 uv{0.0f}, uv_2{0.0f};
+  };
+  Coordinates at;
   // A pixel's steps to the right and down; none: the finest level is read.
-  std::optional<std::pair<glm::vec2, glm::vec2>> pixel_steps;
+  std::optional<std::pair<Coordinates, Coordinates>> pixel_steps;
 };
 
 // The point that a ray met, as far as further rays need it. What it looks like is found on demand,
@@ -36,11 +40,13 @@ struct Touch {
 struct Surface : Touch {
   glm::vec3 normal{0.0f};
   TexturePlace place;
+  glm::vec3 color{1.0f};  // of the vertices, interpolated
 };
 
 class World {
  public:
-  // `scene` must outlive this.
+  // `scene` must outlive this. Where skins or morph targets shape it, this holds a copy of it as it
+  // is at `time_s`.
   static Result<World> create(const Scene& scene, float time_s);
 
   const RayScene& rays() const { return rays_; }
@@ -79,17 +85,24 @@ class World {
     std::optional<TextureSampler> base_color, metallic_roughness, normal, emission;
   };
   World(RayScene rays, std::vector<glm::mat4> world_from_node);
+  static Result<World> create_rigid(const Scene& scene, float time_s);
   const Material& material_of(uint32_t part) const;
   struct TriangleVertices {
     const Vertex &a, &b, &c;
   };
   TriangleVertices vertices_of(const Touch& touch) const;
+  Surface surface_at(const Touch& touch, const TriangleVertices& vertices,
+                     const TexturePlace& place) const;
   glm::vec3 normal_of(const Surface& surface, const TriangleVertices& vertices) const;
   const MaterialTextures& textures_of(uint32_t part) const;
+  static TexturePlace::Coordinates coordinates(const TriangleVertices& t, float u, float v);
+  // The base colour as it looks, and what of it reflects light: nothing where it is unlit.
+  glm::vec3 shown_color_of(const Surface& surface) const;
   glm::vec3 base_color_of(const Surface& surface) const;
   // x metallic, y perceptual roughness
   glm::vec2 metallic_roughness_of(const Surface& surface) const;
 
+  std::unique_ptr<Scene> deformed_;  // what rays_ points to, if it is ours
   RayScene rays_;
   std::vector<glm::mat4> world_from_node_;
   std::vector<glm::mat3> normal_from_object_;  // inverse transpose, by instance

@@ -5,15 +5,18 @@
 #include "renderer/material.glsl"
 #include "shading/packing.h"
 
+layout(set = 1, binding = 0) uniform sampler2D base_color_texture;
 layout(set = 1, binding = 1) uniform sampler2D metallic_roughness_texture;
 layout(set = 1, binding = 2) uniform sampler2D normal_texture;
 layout(set = 1, binding = 3) uniform sampler2D emission_texture;
 
 layout(location = 0) in vec3 normal_world;
 layout(location = 1) in vec4 tangent_world;
-layout(location = 2) in vec2 uv;
+layout(location = 2) in vec4 base_color_and_material_uv;
 layout(location = 3) in vec4 clip_now;
 layout(location = 4) in vec4 clip_before;
+layout(location = 5) in vec4 vertex_color;
+layout(location = 6) in vec4 normal_and_emission_uv;
 
 layout(location = 0) out vec4 base_color;
 layout(location = 1) out vec2 normal;
@@ -23,14 +26,15 @@ layout(location = 4) out vec2 motion;
 
 void main() {
   const MaterialData m = materials.data[draw.material];
-  const vec4 color = m.base_color * texture(base_color_texture, uv);
+  const vec4 color =
+      m.base_color * vertex_color * texture(base_color_texture, base_color_and_material_uv.xy);
   if (color.a < m.alpha_cutoff) discard;
 
   vec3 n = normalize(normal_world);
   if (m.has_normal_map != 0) {
     const vec3 t = normalize(tangent_world.xyz - n * dot(n, tangent_world.xyz));
     const vec3 b = cross(n, t) * tangent_world.w;
-    vec3 mapped = texture(normal_texture, uv).xyz * 2.0 - 1.0;
+    vec3 mapped = texture(normal_texture, normal_and_emission_uv.xy).xyz * 2.0 - 1.0;
     mapped.xy *= m.normal_scale;
     const vec3 perturbed = t * mapped.x + b * mapped.y + n * mapped.z;
     // A degenerate tangent leaves the interpolated normal as it is.
@@ -39,10 +43,12 @@ void main() {
   // A surface seen from behind is lit from behind.
   if (!gl_FrontFacing) n = -n;
 
-  const vec4 mr = texture(metallic_roughness_texture, uv);
-  base_color = vec4(color.rgb, 1.0);
+  const vec4 mr = texture(metallic_roughness_texture, base_color_and_material_uv.zw);
+  const bool lit = m.unlit == 0;
+  base_color = vec4(lit ? color.rgb : vec3(0.0), 1.0);
   normal = octahedral_encode(n);
-  material = vec4(m.metallic * mr.b, m.roughness * mr.g, m.specular, 0.0);
-  emission = vec4(min(m.emission * texture(emission_texture, uv).rgb, vec3(65504.0)), 1.0);
+  material = lit ? vec4(m.metallic * mr.b, m.roughness * mr.g, m.specular, 0.0) : vec4(0.0);
+  const vec3 emitted = m.emission * texture(emission_texture, normal_and_emission_uv.zw).rgb;
+  emission = vec4(min(lit ? emitted : color.rgb, vec3(65504.0)), 1.0);
   motion = 0.5 * (clip_now.xy / clip_now.w - clip_before.xy / clip_before.w);
 }

@@ -10,11 +10,18 @@ namespace {
 
 TEST(RendererLayout, GeometryPasses) {
   for (const gpu::ShaderCode* code :
-       {&shaders::renderer_g_buffer_vert, &shaders::renderer_shadow_vert})
+       {&shaders::renderer_g_buffer_vert, &shaders::renderer_shadow_vert}) {
     expect_layout(*code, "instances", sizeof(InstanceData),
                   {LUEUR_MEMBER(InstanceData, world_from_object),
                    LUEUR_MEMBER(InstanceData, world_from_object_before),
-                   LUEUR_MEMBER(InstanceData, world_from_object_normal)});
+                   LUEUR_MEMBER(InstanceData, world_from_object_normal),
+                   LUEUR_MEMBER(InstanceData, is_deformed),
+                   LUEUR_MEMBER(InstanceData, first_deformed)});
+    expect_layout(
+        *code, "deformed", sizeof(DeformedVertex),
+        {LUEUR_MEMBER(DeformedVertex, position), LUEUR_MEMBER(DeformedVertex, position_before),
+         LUEUR_MEMBER(DeformedVertex, normal), LUEUR_MEMBER(DeformedVertex, tangent)});
+  }
   for (const gpu::ShaderCode* code :
        {&shaders::renderer_g_buffer_frag, &shaders::renderer_shadow_frag}) {
     expect_layout(
@@ -22,7 +29,10 @@ TEST(RendererLayout, GeometryPasses) {
         {LUEUR_MEMBER(MaterialData, base_color), LUEUR_MEMBER(MaterialData, emission),
          LUEUR_MEMBER(MaterialData, metallic), LUEUR_MEMBER(MaterialData, roughness),
          LUEUR_MEMBER(MaterialData, specular), LUEUR_MEMBER(MaterialData, normal_scale),
-         LUEUR_MEMBER(MaterialData, alpha_cutoff), LUEUR_MEMBER(MaterialData, has_normal_map)});
+         LUEUR_MEMBER(MaterialData, alpha_cutoff), LUEUR_MEMBER(MaterialData, has_normal_map),
+         LUEUR_MEMBER(MaterialData, unlit), LUEUR_MEMBER(MaterialData, base_color_place),
+         LUEUR_MEMBER(MaterialData, metallic_roughness_place),
+         LUEUR_MEMBER(MaterialData, normal_place), LUEUR_MEMBER(MaterialData, emission_place)});
     expect_layout(*code, "push", sizeof(DrawParams), {LUEUR_MEMBER(DrawParams, material)});
   }
   expect_layout(shaders::renderer_g_buffer_vert, "params", sizeof(GBufferParams),

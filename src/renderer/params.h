@@ -12,6 +12,25 @@ struct InstanceData {
   mat4 world_from_object;
   mat4 world_from_object_before;  // in the previous frame
   mat3 world_from_object_normal;  // inverse transpose
+  // Where the instance's skin or morph targets have moved its vertices: what to add to a vertex'
+  // index to find it among the DeformedVertex.
+  uint is_deformed;
+  int first_deformed;
+};
+
+struct DeformedVertex {
+  vec3 position;  // object space, or world space where the instance is skinned
+  vec3 position_before;
+  vec3 normal;
+  vec3 tangent;
+};
+
+// Where on its texture a surface's coordinates lead.
+struct TexturePlacement {
+  vec2 along_u;
+  vec2 along_v;
+  vec2 offset;
+  uint uv_set;
 };
 
 struct MaterialData {
@@ -23,6 +42,11 @@ struct MaterialData {
   float normal_scale;
   float alpha_cutoff;  // 0: opaque
   uint has_normal_map;
+  uint unlit;
+  TexturePlacement base_color_place;
+  TexturePlacement metallic_roughness_place;
+  TexturePlacement normal_place;
+  TexturePlacement emission_place;
 };
 
 struct GBufferParams {

@@ -47,6 +47,12 @@ glm::mat4 clip_from_world(const View& view) {
   return glm::make_mat4(view.clip_from_view.data()) * glm::make_mat4(view.view_from_world.data());
 }
 
+ScenePose pose_at(const Scene& scene, float time_s) {
+  std::vector<glm::mat4> world_from_node = pose(scene, time_s);
+  std::vector<DeformedInstance> deformed = deformed_instances(scene, world_from_node, time_s);
+  return {std::move(world_from_node), std::move(deformed)};
+}
+
 // One frame: what all passes share.
 struct FramePasses {
   Recorder& frame;
@@ -56,6 +62,7 @@ struct FramePasses {
   View view_before;
   std::vector<DrawItem> draws;
   BufferRef instances;
+  BufferRef deformed;
   BufferRef materials;
 
   void g_buffer(RenderedImages& images, Image base_color);
@@ -63,17 +70,15 @@ struct FramePasses {
   Image shadow_map(const LightView& light);
   void light(const RenderedImages& images, Image base_color, const LightView& light, Image shadows);
   void compose(RenderedImages& images);
-  void draw_all(DrawList& list, const std::function<bool(const Material&)>& wanted, bool cull);
+  void draw_all(DrawList& list, bool cull);
 };
 
-// Draws every item whose material is wanted, changing state only where it changes.
-void FramePasses::draw_all(DrawList& list, const std::function<bool(const Material&)>& wanted,
-                           bool cull) {
+// Draws every item, changing state only where it changes. `cull`: the backs of one-sided materials.
+void FramePasses::draw_all(DrawList& list, bool cull) {
   list.geometry(scene.vertices(), scene.indices());
   int32_t bound_material = kNone;
   for (const DrawItem& item : draws) {
     const Material& material = scene.material(item.material);
-    if (!wanted(material)) continue;
     if (item.material != bound_material) {
       list.material(scene.material_set(item.material));
       list.push(DrawParams{static_cast<uint32_t>(item.material)});
@@ -94,17 +99,14 @@ void FramePasses::g_buffer(RenderedImages& images, Image base_color) {
                         .vertex_attributes = g_buffer_attributes(),
                         .vertex_stride_bytes = sizeof(Vertex)},
               .params = GBufferParams{clip_from_world(view), clip_from_world(view_before)},
-              .read = {{"instances", instances}, {"materials", materials}},
+              .read = {{"instances", instances}, {"deformed", deformed}, {"materials", materials}},
               .color = {{"base_color", base_color},
                         {"normal", images.normal},
                         {"material", images.material},
                         {"emission", images.emission},
                         {"motion", images.motion}},
               .depth = DrawTarget{"depth", images.depth},
-              .record = [&](DrawList& list) {
-                draw_all(
-                    list, [](const Material&) { return true; }, true);
-              }});
+              .record = [&](DrawList& list) { draw_all(list, true); }});
 }
 
 void FramePasses::surface(RenderedImages& images, Image base_color) {
@@ -125,8 +127,8 @@ Image FramePasses::shadow_map(const LightView& light) {
   const Image map = is_cube ? frame.cube("shadow_map", side, Format::d32f)
                             : frame.image("shadow_map", {side, side}, Format::d32f);
   for (uint32_t layer = 0; layer < light.clip_from_world.size(); ++layer) {
-    // Only masked materials need a fragment shader, and both kinds go into one cleared map: the
-    // masked pipeline draws all where there is one.
+    // Only masked materials need a fragment shader. Both kinds go into one map, which a pass
+    // clears: one pipeline draws all.
     bool any_masked = false;
     for (const DrawItem& item : draws)
       any_masked |= scene.material(item.material).alpha_mode == AlphaMode::mask;
@@ -137,25 +139,13 @@ Image FramePasses::shadow_map(const LightView& light) {
                              .depth_clamp = !is_cube,
                              .vertex_attributes = shadow_attributes(),
                              .vertex_stride_bytes = sizeof(Vertex)};
-    std::vector<Bound> read = {{"instances", instances}};
-    if (any_masked) read.push_back({"materials", materials});
-    frame.draw("renderer.shadow", {.state = state,
-                                   .params = ShadowParams{light.clip_from_world[layer]},
-                                   .read = read,
-                                   .depth = DrawTarget{"shadow_map", map, {}, layer},
-                                   .record = [&](DrawList& list) {
-                                     if (any_masked) {
-                                       draw_all(
-                                           list, [](const Material&) { return true; }, false);
-                                       return;
-                                     }
-                                     list.geometry(scene.vertices(), scene.indices());
-                                     list.cull_back_faces(false);
-                                     for (const DrawItem& item : draws)
-                                       list.indexed(item.index_count, item.first_index,
-                                                    item.vertex_offset, item.instance_count,
-                                                    item.first_instance);
-                                   }});
+    frame.draw(
+        "renderer.shadow",
+        {.state = state,
+         .params = ShadowParams{light.clip_from_world[layer]},
+         .read = {{"instances", instances}, {"deformed", deformed}, {"materials", materials}},
+         .depth = DrawTarget{"shadow_map", map, {}, layer},
+         .record = [&](DrawList& list) { draw_all(list, false); }});
   }
   return map;
 }
@@ -229,16 +219,18 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   LUEUR_CHECK(shot.camera >= 0 && shot.camera < static_cast<int32_t>(scene.cameras.size()));
   const Camera& camera = scene.cameras[static_cast<size_t>(shot.camera)];
   const auto node = static_cast<size_t>(camera.node);
-  const std::vector<glm::mat4> now = pose(scene, shot.time_s);
-  const std::vector<glm::mat4> before = pose(scene, shot.previous_time_s);
+  const ScenePose now = pose_at(scene, shot.time_s);
+  const ScenePose before = pose_at(scene, shot.previous_time_s);
+  const FrameGeometry geometry = state_->on_device->pose(now, before);
 
   FramePasses passes{frame,
                      *state_->on_device,
                      shot,
-                     view_of_camera(camera, now[node], shot.extent),
-                     view_of_camera(camera, before[node], shot.extent),
-                     state_->on_device->draws(now),
-                     frame.upload(state_->on_device->instances(now, before)),
+                     view_of_camera(camera, now.world_from_node[node], shot.extent),
+                     view_of_camera(camera, before.world_from_node[node], shot.extent),
+                     geometry.draws,
+                     frame.upload(geometry.instances),
+                     frame.upload(geometry.deformed),
                      frame.upload(state_->on_device->materials())};
 
   RenderedImages images;
@@ -254,9 +246,10 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   images.source = frame.image("source", shot.extent, Format::rgba16f);
   images.specular = frame.image("specular", shot.extent, Format::rgba16f);
   passes.surface(images, base_color);
-  const Bounds box = bounds(scene, now);
+  const Bounds box = bounds(scene, now.world_from_node, now.deformed);
   for (const Light& light : scene.lights) {
-    const LightView view = view_of_light(light, now[static_cast<size_t>(light.node)], box);
+    const LightView view =
+        view_of_light(light, now.world_from_node[static_cast<size_t>(light.node)], box);
     const Image shadows = passes.shadow_map(view);
     passes.light(images, base_color, view, shadows);
     frame.release(shadows);

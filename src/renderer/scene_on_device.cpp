@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 
 #include "base/try.h"
 #include "image/mip_chain.h"
@@ -16,8 +17,8 @@ enum class Encoding { srgb, linear };
 // Which of the scene's textures some material uses with this encoding.
 std::vector<bool> used_textures(const Scene& scene, Encoding encoding) {
   std::vector<bool> used(scene.textures.size(), false);
-  const auto mark = [&](int32_t texture) {
-    if (texture != kNone) used[static_cast<size_t>(texture)] = true;
+  const auto mark = [&](const TextureUse& use) {
+    if (use.is_used()) used[static_cast<size_t>(use.texture)] = true;
   };
   for (const Material& m : scene.materials) {
     if (encoding == Encoding::srgb) {
@@ -65,6 +66,17 @@ gpu::Address address(Wrap wrap) {
   return gpu::Address::repeat;
 }
 
+TexturePlacement placement(const TextureUse& use) {
+  return {use.transform[0], use.transform[1], use.transform[2], use.uv_set};
+}
+
+// The instance's vertices at that time; empty where nothing deforms it.
+std::span<const Vertex> vertices_of(const ScenePose& pose, size_t instance) {
+  for (const DeformedInstance& deformed : pose.deformed)
+    if (deformed.instance == instance) return deformed.vertices;
+  return {};
+}
+
 bool is_mirrored(const glm::mat4& m) {
   return glm::determinant(glm::mat3(m)) < 0.0f;
 }
@@ -75,12 +87,16 @@ std::vector<gpu::VertexAttribute> g_buffer_attributes() {
   return {{VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
           {VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, normal)},
           {VK_FORMAT_R32G32B32A32_SFLOAT, offsetof(Vertex, tangent)},
-          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
+          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)},
+          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv_2)},
+          {VK_FORMAT_R16G16B16A16_UNORM, offsetof(Vertex, color)}};
 }
 
 std::vector<gpu::VertexAttribute> shadow_attributes() {
   return {{VK_FORMAT_R32G32B32_SFLOAT, offsetof(Vertex, position)},
-          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)}};
+          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv)},
+          {VK_FORMAT_R32G32_SFLOAT, offsetof(Vertex, uv_2)},
+          {VK_FORMAT_R16G16B16A16_UNORM, offsetof(Vertex, color)}};
 }
 
 Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system, Context& context,
@@ -88,9 +104,10 @@ Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system
   std::unique_ptr<SceneOnDevice> result(new SceneOnDevice);
   gpu::Device& device = context.recorder().device();
   result->scene_materials_ = scene.materials;
-  result->instances_ = scene.instances;
+  for (size_t i = 0; i < scene.instances.size(); ++i)
+    result->instances_.push_back({scene.instances[i], i});
   std::stable_sort(result->instances_.begin(), result->instances_.end(),
-                   [](const auto& a, const auto& b) { return a.mesh < b.mesh; });
+                   [](const auto& a, const auto& b) { return a.placed.mesh < b.placed.mesh; });
   LUEUR_TRY_VOID(result->upload_geometry(system, device, scene));
   LUEUR_TRY_VOID(result->upload_textures(system, device, scene));
   result->make_materials(context.recorder(), scene);
@@ -162,15 +179,21 @@ void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
     data.specular = m.phong ? 0.0f : m.specular;
     data.normal_scale = m.normal_scale;
     data.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f;
-    data.has_normal_map = m.normal_texture != kNone;
+    data.has_normal_map = m.normal_texture.is_used();
+    data.unlit = m.unlit;
+    data.base_color_place = placement(m.base_color_texture);
+    data.metallic_roughness_place = placement(m.metallic_roughness_texture);
+    data.normal_place = placement(m.normal_texture);
+    data.emission_place = placement(m.emission_texture);
     materials_.push_back(data);
 
-    const auto bound = [&](const char* name, int32_t index, const std::vector<gpu::Texture>& from) {
+    const auto bound = [&](const char* name, const TextureUse& use,
+                           const std::vector<gpu::Texture>& from) {
       gpu::SamplerState sampler{.filter = gpu::Filter::linear, .mipmaps = true};
       const gpu::Texture* texture = &white_;
-      if (index != kNone) {
-        const Texture& t = scene.textures[static_cast<size_t>(index)];
-        texture = &from[static_cast<size_t>(index)];
+      if (use.is_used()) {
+        const Texture& t = scene.textures[static_cast<size_t>(use.texture)];
+        texture = &from[static_cast<size_t>(use.texture)];
         sampler.u = address(t.wrap_u);
         sampler.v = address(t.wrap_v);
         if (t.nearest) sampler.filter = gpu::Filter::nearest;
@@ -185,37 +208,51 @@ void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
   }
 }
 
-std::vector<InstanceData> SceneOnDevice::instances(
-    const std::vector<glm::mat4>& world_from_node,
-    const std::vector<glm::mat4>& world_from_node_before) const {
-  std::vector<InstanceData> data;
-  for (const MeshInstance& instance : instances_) {
-    const glm::mat4& now = world_from_node[static_cast<size_t>(instance.node)];
+FrameGeometry SceneOnDevice::pose(const ScenePose& now, const ScenePose& before) const {
+  FrameGeometry frame;
+  // A frame without deformed vertices still binds one.
+  frame.deformed.emplace_back();
+  for (const Instance& instance : instances_) {
+    const glm::mat4 world = world_from_instance(instance.placed, now.world_from_node);
     // A transform that flattens has no inverse; its normals are then left as they are.
-    const glm::mat3 linear(now);
+    const glm::mat3 linear(world);
     const glm::mat3 normal = std::abs(glm::determinant(linear)) > 1e-30f
                                  ? glm::transpose(glm::inverse(linear))
                                  : glm::mat3(1.0f);
-    data.push_back({now, world_from_node_before[static_cast<size_t>(instance.node)], normal});
+    InstanceData data{world, world_from_instance(instance.placed, before.world_from_node), normal,
+                      0, 0};
+    const auto shaped = vertices_of(now, instance.index);
+    const auto shaped_before = vertices_of(before, instance.index);
+    if (!shaped.empty()) {
+      data.is_deformed = 1;
+      data.first_deformed = static_cast<int32_t>(frame.deformed.size()) -
+                            meshes_[static_cast<size_t>(instance.placed.mesh)].vertex_offset;
+      for (size_t i = 0; i < shaped.size(); ++i)
+        frame.deformed.push_back({shaped[i].position, shaped_before[i].position, shaped[i].normal,
+                                  glm::vec3(shaped[i].tangent)});
+    }
+    frame.instances.push_back(data);
   }
-  return data;
+  frame.draws = draws(now.world_from_node);
+  return frame;
 }
 
 std::vector<DrawItem> SceneOnDevice::draws(const std::vector<glm::mat4>& world_from_node) const {
   std::vector<DrawItem> items;
   for (uint32_t first = 0; first < instances_.size();) {
     // A run: instances of one mesh that are mirrored alike.
-    const auto mesh = static_cast<size_t>(instances_[first].mesh);
+    const int32_t mesh = instances_[first].placed.mesh;
     const auto mirrored_at = [&](uint32_t i) {
-      return is_mirrored(world_from_node[static_cast<size_t>(instances_[i].node)]);
+      return is_mirrored(world_from_instance(instances_[i].placed, world_from_node));
     };
     uint32_t end = first + 1;
-    while (end < instances_.size() && instances_[end].mesh == instances_[first].mesh &&
+    while (end < instances_.size() && instances_[end].placed.mesh == mesh &&
            mirrored_at(end) == mirrored_at(first))
       ++end;
-    for (const Primitive& primitive : primitives_[mesh])
-      items.push_back({meshes_[mesh].first_index + primitive.first_index, primitive.index_count,
-                       meshes_[mesh].vertex_offset, first, end - first, primitive.material,
+    const MeshRange& range = meshes_[static_cast<size_t>(mesh)];
+    for (const Primitive& primitive : primitives_[static_cast<size_t>(mesh)])
+      items.push_back({range.first_index + primitive.first_index, primitive.index_count,
+                       range.vertex_offset, first, end - first, primitive.material,
                        mirrored_at(first)});
     first = end;
   }

@@ -8,6 +8,7 @@
 #include "frame/recorder.h"
 #include "gpu/system.h"
 #include "renderer/params.h"
+#include "scene/deform.h"
 #include "scene/scene.h"
 
 namespace lueur {
@@ -23,17 +24,28 @@ struct DrawItem {
   bool mirrored = false;  // the instances' transforms turn front faces into clockwise ones
 };
 
+// Where the scene's parts are at one time.
+struct ScenePose {
+  std::vector<glm::mat4> world_from_node;
+  std::vector<DeformedInstance> deformed;
+};
+
+// What one frame draws, for its buffers.
+struct FrameGeometry {
+  std::vector<InstanceData> instances;
+  std::vector<DeformedVertex> deformed;  // at least one
+  std::vector<DrawItem> draws;
+};
+
 class SceneOnDevice {
  public:
   // Uploads everything, in batches, and waits for it.
   static Result<std::unique_ptr<SceneOnDevice>> create(gpu::System& system, Context& context,
                                                        const Scene& scene);
 
-  // Instances in drawing order at two times, for the frame's buffer.
-  std::vector<InstanceData> instances(const std::vector<glm::mat4>& world_from_node,
-                                      const std::vector<glm::mat4>& world_from_node_before) const;
-  // Draws ordered by instance run and material. `world_from_node` decides what is mirrored.
-  std::vector<DrawItem> draws(const std::vector<glm::mat4>& world_from_node) const;
+  // The frame's instances and draws, ordered by mesh. Both poses are of the scene given to
+  // create().
+  FrameGeometry pose(const ScenePose& now, const ScenePose& before) const;
 
   const gpu::Buffer& vertices() const { return vertices_; }
   const gpu::Buffer& indices() const { return indices_; }
@@ -50,13 +62,18 @@ class SceneOnDevice {
     uint32_t first_index = 0;
     int32_t vertex_offset = 0;
   };
+  struct Instance {
+    MeshInstance placed;
+    size_t index = 0;  // in Scene::instances
+  };
   SceneOnDevice() = default;
+  std::vector<DrawItem> draws(const std::vector<glm::mat4>& world_from_node) const;
   Result<void> upload_geometry(gpu::System& system, gpu::Device& device, const Scene& scene);
   Result<void> upload_textures(gpu::System& system, gpu::Device& device, const Scene& scene);
   void make_materials(Recorder& recorder, const Scene& scene);
 
   std::vector<Material> scene_materials_;
-  std::vector<MeshInstance> instances_;             // ordered by mesh
+  std::vector<Instance> instances_;                 // ordered by mesh
   std::vector<std::vector<Primitive>> primitives_;  // by mesh
   std::vector<MeshRange> meshes_;
   gpu::Buffer vertices_;

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/deform.h"
 #include "scene/survey.h"
 #include "scene/triangle_tree.h"
 
@@ -265,9 +266,15 @@ void add_light(Scene& scene, const TriangleTree& tree, const Survey& place, cons
 
 void complete(Scene& scene) {
   if (!scene.cameras.empty() && !scene.lights.empty()) return;
-  const std::vector<glm::mat4> world_from_node = pose(scene, 0.0f);
-  const Bounds box = bounds(scene, world_from_node);
-  const TriangleTree tree(scene, world_from_node);
+  // Look around among what is drawn at rest, skins and morph targets applied.
+  const bool any_deformed =
+      std::any_of(scene.instances.begin(), scene.instances.end(),
+                  [&](const MeshInstance& instance) { return is_deformed(scene, instance); });
+  const Scene deformed = any_deformed ? with_deformed_meshes(scene, 0.0f) : Scene{};
+  const Scene& seen = any_deformed ? deformed : scene;
+  const std::vector<glm::mat4> world_from_node = pose(seen, 0.0f);
+  const Bounds box = bounds(seen, world_from_node, {});
+  const TriangleTree tree(seen, world_from_node);
   const Survey place = survey(tree, box);
   if (scene.cameras.empty()) add_camera(scene, tree, place, box);
   if (scene.lights.empty()) add_light(scene, tree, place, box);

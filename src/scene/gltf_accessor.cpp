@@ -75,8 +75,10 @@ Result<Layout> read_layout(const GltfFile& file, const JsonCursor& at) {
   if (type == "VEC2") layout.components = 2;
   if (type == "VEC3") layout.components = 3;
   if (type == "VEC4") layout.components = 4;
+  // With four bytes a number, a matrix' columns follow each other without gaps.
+  if (type == "MAT4" && component == Component::float32) layout.components = 16;
   if (layout.components == 0)
-    return at.error("type", in_quotes(type) + " is not SCALAR, VEC2, VEC3 or VEC4");
+    return at.error("type", in_quotes(type) + " is not SCALAR, VEC2, VEC3, VEC4 or a float MAT4");
   return layout;
 }
 
@@ -195,6 +197,14 @@ Result<Sparse> read_sparse(const GltfFile& file, const JsonCursor& at, const Lay
   return result;
 }
 
+// Elements that no buffer view holds are zeros: few words ask for much memory.
+Result<void> check_implied(const JsonCursor& at, const Layout& layout) {
+  if (layout.count <= kMaxImpliedElements) return {};
+  return at.error("count", std::to_string(layout.count) +
+                               " elements without a buffer view are more than the limit of " +
+                               std::to_string(kMaxImpliedElements));
+}
+
 }  // namespace
 
 Result<AccessorShape> accessor_shape(const GltfFile& file, int32_t index) {
@@ -219,11 +229,8 @@ Result<std::vector<float>> read_floats(const GltfFile& file, int32_t index) {
   if (at.has("bufferView")) {
     LUEUR_TRY(located, locate(file, at, layout.count, element_bytes));
     run = located;
-  } else if (layout.count > kMaxImpliedElements) {
-    return at.error("count", std::to_string(layout.count) +
-                                 " elements without a buffer view are "
-                                 "more than the limit of " +
-                                 std::to_string(kMaxImpliedElements));
+  } else {
+    LUEUR_TRY_VOID(check_implied(at, layout));
   }
   Sparse sparse;
   if (at.has("sparse")) {
@@ -248,10 +255,19 @@ Result<std::vector<uint32_t>> read_unsigned(const GltfFile& file, int32_t index)
   LUEUR_TRY(layout, read_layout(file, at));
   LUEUR_TRY_VOID(require_unsigned(at, layout.component));
   if (layout.components != 1) return at.error("type", "has to be SCALAR here");
-  if (at.has("sparse"))
-    return at.error("sparse", "is not supported for indices; re-export without sparse accessors");
-  LUEUR_TRY(run, locate(file, at, layout.count, byte_size(layout.component)));
-  return gather_unsigned(run, layout.component);
+  std::vector<uint32_t> values;
+  if (at.has("bufferView")) {
+    LUEUR_TRY(run, locate(file, at, layout.count, byte_size(layout.component)));
+    values = gather_unsigned(run, layout.component);
+  } else {
+    LUEUR_TRY_VOID(check_implied(at, layout));
+    values.resize(layout.count);
+  }
+  if (!at.has("sparse")) return values;
+  LUEUR_TRY(sparse, read_sparse(file, at, layout));
+  const std::vector<uint32_t> replaced = gather_unsigned(sparse.values, layout.component);
+  for (size_t i = 0; i < sparse.targets.size(); ++i) values[sparse.targets[i]] = replaced[i];
+  return values;
 }
 
 }  // namespace lueur

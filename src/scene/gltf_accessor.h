@@ -12,7 +12,7 @@ namespace lueur {
 
 struct AccessorShape {
   uint64_t count = 0;
-  uint32_t components = 0;  // 1 to 4; matrices are refused
+  uint32_t components = 0;  // 1 to 4, and 16 for MAT4; other matrices are refused
   bool has_data = false;    // false: all zeros, neither a buffer view nor sparse values
 };
 

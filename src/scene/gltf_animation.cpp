@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf_animation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -12,12 +13,11 @@
 namespace lueur {
 namespace {
 
-enum class Interpolation { linear, step, cubic_spline };
-
 std::optional<AnimationPath> path_of(const std::string& name) {
   if (name == "translation") return AnimationPath::translation;
   if (name == "rotation") return AnimationPath::rotation;
   if (name == "scale") return AnimationPath::scale;
+  if (name == "weights") return AnimationPath::morph_weight;
   return std::nullopt;
 }
 
@@ -42,47 +42,92 @@ Result<std::vector<float>> read_finite(const GltfFile& file, const JsonCursor& s
   return std::move(values);
 }
 
-Result<glm::vec4> key_value(const JsonCursor& sampler, AnimationPath path, const float* value) {
+// One value of a channel: of a rotation's key itself, not of its tangents, the unit quaternion.
+Result<glm::vec4> read_value(const JsonCursor& sampler, AnimationPath path, const float* value,
+                             bool is_key) {
+  if (path == AnimationPath::morph_weight) return glm::vec4(value[0], 0.0f, 0.0f, 0.0f);
   if (path != AnimationPath::rotation) return glm::vec4(value[0], value[1], value[2], 0.0f);
   const glm::dvec4 quaternion(value[0], value[1], value[2], value[3]);
+  if (!is_key) return glm::vec4(quaternion);
   const double length = glm::length(quaternion);
   if (!(length > 0.0)) return sampler.error("output", "holds a rotation of length 0");
   return glm::vec4(quaternion / length);
 }
 
-// Appends the key frames of `sampler`; of several at one time the last counts.
-Result<void> read_keys(const GltfFile& file, const JsonCursor& sampler, AnimationChannel& channel,
-                       uint64_t& keys_left, Warnings& warnings) {
-  LUEUR_TRY(interpolation, read_interpolation(sampler));
-  channel.step = interpolation == Interpolation::step;
-  const bool cubic = interpolation == Interpolation::cubic_spline;
-  if (cubic) warnings.add("cubic spline animation is reduced to straight lines between its keys");
+uint32_t components_of(AnimationPath path) {
+  switch (path) {
+    case AnimationPath::rotation:
+      return 4;
+    case AnimationPath::morph_weight:
+      return 1;
+    case AnimationPath::translation:
+    case AnimationPath::scale:
+      break;
+  }
+  return 3;
+}
 
-  const uint32_t components = channel.path == AnimationPath::rotation ? 4 : 3;
+// A sampler's numbers: `columns` values for each of its times, times three for splines.
+struct Keys {
+  Interpolation interpolation = Interpolation::linear;
+  std::vector<float> times_s;
+  std::vector<float> values;
+  uint32_t components = 0;  // of one value
+  size_t columns = 1;       // values side by side: one for each morph target
+};
+
+Result<Keys> read_keys(const GltfFile& file, const JsonCursor& sampler, AnimationPath path,
+                       uint64_t& keys_left) {
+  Keys keys;
+  LUEUR_TRY(interpolation, read_interpolation(sampler));
+  keys.interpolation = interpolation;
+  keys.components = components_of(path);
   // Spend before reading: many channels may name one large accessor.
   LUEUR_TRY(input, sampler.required_index("input", file.size_of("accessors"), "accessors"));
   LUEUR_TRY(input_shape, accessor_shape(file, input));
-  if (input_shape.count > keys_left)
+  LUEUR_TRY(output, sampler.required_index("output", file.size_of("accessors"), "accessors"));
+  LUEUR_TRY(output_shape, accessor_shape(file, output));
+  const uint64_t needed = std::max(input_shape.count, output_shape.count);
+  if (needed > keys_left)
     return sampler.error("the animation has more than " + std::to_string(file.limits().vertices) +
                          " key frames; resample it");
-  keys_left -= input_shape.count;
+  keys_left -= needed;
   LUEUR_TRY(times, read_finite(file, sampler, "input", 1));
-  LUEUR_TRY(values, read_finite(file, sampler, "output", components));
-  const size_t values_per_key = cubic ? 3 : 1;  // in-tangent, value, out-tangent
-  if (values.size() != times.size() * values_per_key * components)
-    return sampler.error("output", "does not fit the " + std::to_string(times.size()) +
-                                       " times of the input; re-export the file");
-  for (size_t i = 0; i < times.size(); ++i) {
-    const size_t place = (i * values_per_key + (cubic ? 1 : 0)) * components;
-    LUEUR_TRY(value, key_value(sampler, channel.path, values.data() + place));
+  LUEUR_TRY(values, read_finite(file, sampler, "output", keys.components));
+  for (size_t i = 0; i < times.size(); ++i)
     if (times[i] < 0.0f || (i > 0 && times[i] < times[i - 1]))
       return sampler.error("input", "the times have to be 0 or more and ascend");
-    if (!channel.times_s.empty() && times[i] == channel.times_s.back()) {
-      channel.values.back() = value;
-      continue;
+
+  const size_t floats_a_key =
+      keys.components * size_t{keys.interpolation == Interpolation::cubic_spline ? 3u : 1u};
+  if (path == AnimationPath::morph_weight && !times.empty())
+    keys.columns = std::max<size_t>(values.size() / (times.size() * floats_a_key), 1);
+  if (values.size() != times.size() * floats_a_key * keys.columns)
+    return sampler.error("output", "does not fit the " + std::to_string(times.size()) +
+                                       " times of the input; re-export the file");
+  keys.times_s = std::move(times);
+  keys.values = std::move(values);
+  return keys;
+}
+
+// Takes column `column` of the keys over; of several keys at one time the last counts.
+Result<void> take_column(const JsonCursor& sampler, const Keys& keys, size_t column,
+                         AnimationChannel& channel) {
+  channel.interpolation = keys.interpolation;
+  const size_t parts = keys.interpolation == Interpolation::cubic_spline ? 3 : 1;
+  for (size_t i = 0; i < keys.times_s.size(); ++i) {
+    const float time_s = keys.times_s[i];
+    if (!channel.times_s.empty() && time_s == channel.times_s.back()) {
+      channel.times_s.pop_back();
+      channel.values.resize(channel.values.size() - parts);
     }
-    channel.times_s.push_back(times[i]);
-    channel.values.push_back(value);
+    channel.times_s.push_back(time_s);
+    for (size_t part = 0; part < parts; ++part) {
+      const size_t place = ((i * parts + part) * keys.columns + column) * keys.components;
+      LUEUR_TRY(value, read_value(sampler, channel.path, keys.values.data() + place,
+                                  parts == 1 || part == 1));
+      channel.values.push_back(value);
+    }
   }
   return {};
 }
@@ -102,7 +147,7 @@ Result<std::optional<AnimationChannel>> read_target(const JsonCursor& at, const 
   if (file_node == kNone) return nothing;
   const int32_t node = tree.node_of_file_node[static_cast<size_t>(file_node)];
   if (node == kNone) return nothing;
-  if (tree.nodes[static_cast<size_t>(node)].matrix) {
+  if (path != AnimationPath::morph_weight && tree.nodes[static_cast<size_t>(node)].matrix) {
     warnings.add("animation of " + in_quotes(path_name) + " is not supported: left out");
     return nothing;
   }
@@ -134,8 +179,13 @@ Result<std::vector<AnimationChannel>> read_animation(const GltfFile& file, const
     if (!channel) continue;
     LUEUR_TRY(index, at.required_index("sampler", samplers.size(), "samplers"));
     LUEUR_TRY(sampler, samplers.element(static_cast<size_t>(index)));
-    LUEUR_TRY_VOID(read_keys(file, sampler, *channel, keys_left, warnings));
-    result.push_back(std::move(*channel));
+    LUEUR_TRY(keys, read_keys(file, sampler, channel->path, keys_left));
+    for (size_t column = 0; column < keys.columns; ++column) {
+      AnimationChannel one = *channel;
+      one.morph_target = static_cast<uint32_t>(column);
+      LUEUR_TRY_VOID(take_column(sampler, keys, column, one));
+      result.push_back(std::move(one));
+    }
   }
   return result;
 }

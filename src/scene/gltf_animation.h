@@ -11,8 +11,7 @@
 
 namespace lueur {
 
-// Reads the first animation's translation, rotation and scale channels; cubic splines are reduced
-// to their key values, and morph weights left out, each with a warning.
+// Reads the first animation. Channels of morph weights become one for each target.
 Result<std::vector<AnimationChannel>> read_animation(const GltfFile& file, const NodeTree& tree,
                                                      Warnings& warnings);
 

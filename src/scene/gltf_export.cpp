@@ -6,9 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -26,10 +28,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-static_assert(sizeof(Vertex) == 48, "vertices are written as they lie in memory");
+static_assert(sizeof(Vertex) == 64, "vertices are written as they lie in memory");
 
 // glTF's numbers for component types, buffer targets and sampler modes.
-constexpr int kFloat = 5126, kUint32 = 5125;
+constexpr int kFloat = 5126, kUint32 = 5125, kUint16 = 5123;
 constexpr int kArrayBuffer = 34962, kElementArrayBuffer = 34963;
 constexpr int kNearest = 9728, kLinear = 9729, kLinearMipmapLinear = 9987;
 constexpr int kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497;
@@ -92,6 +94,7 @@ class GlbWriter {
     LUEUR_TRY_VOID(add_textures());
     add_materials();
     add_meshes();
+    add_skins();
     add_cameras();
     add_lights();
     add_nodes();
@@ -169,6 +172,10 @@ class GlbWriter {
       set_texture(material, "emissiveTexture", m.emission_texture);
       set_emission(material, m.emission);
       set_specular(material, m.specular);
+      if (m.unlit) {
+        material["extensions"]["KHR_materials_unlit"] = Json::object();
+        use_extension("KHR_materials_unlit");
+      }
       if (m.alpha_mode == AlphaMode::mask) {
         material["alphaMode"] = "MASK";
         material["alphaCutoff"] = m.alpha_cutoff;
@@ -178,9 +185,24 @@ class GlbWriter {
     }
   }
 
-  static bool set_texture(Json& object, const char* slot, int32_t texture) {
-    if (texture != kNone) object[slot] = {{"index", texture}};
-    return texture != kNone;
+  bool set_texture(Json& object, const char* slot, const TextureUse& use) {
+    if (!use.is_used()) return false;
+    object[slot] = {{"index", use.texture}};
+    if (use.uv_set != 0) object[slot]["texCoord"] = use.uv_set;
+    if (use.transform != TextureUse().transform) {
+      object[slot]["extensions"]["KHR_texture_transform"] = transform_json(use.transform);
+      use_extension("KHR_texture_transform");
+    }
+    return true;
+  }
+
+  // Scale, angle and offset of a transform without shear, which is all that files can bring.
+  static Json transform_json(const glm::mat3x2& m) {
+    const glm::vec2 scale(glm::length(m[0]),
+                          glm::length(m[1]) * (glm::determinant(glm::mat2(m)) < 0.0f ? -1 : 1));
+    return {{"offset", {m[2].x, m[2].y}},
+            {"rotation", std::atan2(-m[0].y, m[0].x)},
+            {"scale", {scale.x, scale.y}}};
   }
 
   // A factor of up to 1 for each channel, times a strength where that does not reach.
@@ -211,8 +233,8 @@ class GlbWriter {
     // Write the vertices as they are; all primitives of the mesh share them.
     const std::span<const Vertex> vertices(mesh.vertices);
     const int view = add_view(bytes_of(vertices), kArrayBuffer, sizeof(Vertex));
-    const auto attribute = [&](size_t offset, const char* type) {
-      return add_accessor(view, offset, kFloat, type, vertices.size());
+    const auto attribute = [&](size_t offset, const char* type, int component = kFloat) {
+      return add_accessor(view, offset, component, type, vertices.size());
     };
     const int position = attribute(offsetof(Vertex, position), "VEC3");
     glm::vec3 low = vertices[0].position, high = low;
@@ -225,6 +247,19 @@ class GlbWriter {
     const int normal = attribute(offsetof(Vertex, normal), "VEC3");
     const int uv = attribute(offsetof(Vertex, uv), "VEC2");
     int tangent = kNone;
+    // What all vertices have as if it were not there need not be written.
+    Json more = Json::object();
+    const auto any = [&](auto&& differs) {
+      return std::any_of(vertices.begin(), vertices.end(), differs);
+    };
+    if (any([](const Vertex& v) { return v.uv_2 != glm::vec2(0.0f); }))
+      more["TEXCOORD_1"] = attribute(offsetof(Vertex, uv_2), "VEC2");
+    if (any([](const Vertex& v) { return v.color != glm::u16vec4(kFullColor); })) {
+      more["COLOR_0"] = attribute(offsetof(Vertex, color), "VEC4", kUint16);
+      json_["accessors"].back()["normalized"] = true;
+    }
+    add_influences(mesh, more);
+    const Json targets = add_morph_targets(mesh);
 
     const std::span<const uint32_t> indices(mesh.indices);
     const int index_view = add_view(bytes_of(indices), kElementArrayBuffer);
@@ -232,7 +267,8 @@ class GlbWriter {
     for (const Primitive& p : mesh.primitives) {
       if (p.index_count == 0) continue;
       Json attributes = {{"POSITION", position}, {"NORMAL", normal}, {"TEXCOORD_0", uv}};
-      if (scene_.materials[p.material].normal_texture != kNone) {
+      attributes.update(more);
+      if (scene_.materials[p.material].normal_texture.is_used()) {
         if (tangent == kNone) tangent = attribute(offsetof(Vertex, tangent), "VEC4");
         attributes["TANGENT"] = tangent;
       }
@@ -240,8 +276,70 @@ class GlbWriter {
                                      "SCALAR", p.index_count);
       primitives.push_back(
           {{"attributes", std::move(attributes)}, {"indices", index}, {"material", p.material}});
+      if (!targets.empty()) primitives.back()["targets"] = targets;
     }
     return add_to("meshes", {{"name", mesh.name}, {"primitives", std::move(primitives)}});
+  }
+
+  template <class T>
+  int add_array(std::span<const T> values, int component, const char* type, int target = 0) {
+    return add_accessor(add_view(bytes_of(values), target), 0, component, type, values.size());
+  }
+
+  void add_influences(const Mesh& mesh, Json& attributes) {
+    if (mesh.influences.empty()) return;
+    std::vector<glm::u16vec4> joints;
+    std::vector<glm::vec4> weights;
+    for (const JointInfluence& influence : mesh.influences) {
+      joints.push_back(influence.joints);
+      weights.push_back(influence.weights);
+      // A joint without weight has to be 0.
+      for (int k = 0; k < 4; ++k)
+        if (influence.weights[k] == 0.0f) joints.back()[k] = 0;
+    }
+    attributes["JOINTS_0"] =
+        add_array(std::span<const glm::u16vec4>(joints), kUint16, "VEC4", kArrayBuffer);
+    attributes["WEIGHTS_0"] =
+        add_array(std::span<const glm::vec4>(weights), kFloat, "VEC4", kArrayBuffer);
+  }
+
+  Json add_morph_targets(const Mesh& mesh) {
+    Json targets = Json::array();
+    for (const MorphTarget& target : mesh.morph_targets) {
+      Json object = Json::object();
+      const auto add = [&](const char* key, const std::vector<glm::vec3>& values) {
+        if (!values.empty())
+          object[key] = add_array(std::span<const glm::vec3>(values), kFloat, "VEC3", kArrayBuffer);
+        return !values.empty();
+      };
+      // A target without any array is not allowed: one of zeros stands for it.
+      std::vector<glm::vec3> positions = target.positions;
+      if (positions.empty()) positions.resize(mesh.vertices.size(), glm::vec3(0.0f));
+      add("POSITION", positions);
+      set_range(json_["accessors"].back(), positions);
+      add("NORMAL", target.normals);
+      targets.push_back(std::move(object));
+    }
+    return targets;
+  }
+
+  static void set_range(Json& accessor, const std::vector<glm::vec3>& values) {
+    glm::vec3 low = values[0], high = low;
+    for (const glm::vec3& value : values) {
+      low = glm::min(low, value);
+      high = glm::max(high, value);
+    }
+    accessor["min"] = vector_json(low);
+    accessor["max"] = vector_json(high);
+  }
+
+  void add_skins() {
+    for (const Skin& skin : scene_.skins) {
+      const std::span<const glm::mat4> matrices(skin.joint_from_mesh);
+      add_to("skins", {{"name", skin.name},
+                       {"joints", skin.joints},
+                       {"inverseBindMatrices", add_array(matrices, kFloat, "MAT4")}});
+    }
   }
 
   void add_cameras() {
@@ -283,8 +381,12 @@ class GlbWriter {
       add_to("nodes", std::move(object));
     }
     for (const MeshInstance& instance : scene_.instances)
-      if (mesh_index_[instance.mesh] != kNone)
-        node_for(instance.node, "mesh")["mesh"] = mesh_index_[instance.mesh];
+      if (mesh_index_[instance.mesh] != kNone) {
+        Json& node = node_for(instance.node, "mesh");
+        node["mesh"] = mesh_index_[instance.mesh];
+        if (instance.skin != kNone) node["skin"] = instance.skin;
+        if (!instance.morph_weights.empty()) node["weights"] = instance.morph_weights;
+      }
     for (size_t k = 0; k < scene_.cameras.size(); ++k)
       node_for(scene_.cameras[k].node, "camera")["camera"] = k;
     for (size_t k = 0; k < scene_.lights.size(); ++k)
@@ -323,11 +425,8 @@ class GlbWriter {
     if (scene_.animation.empty()) return;
     Json samplers = Json::array(), channels = Json::array();
     for (const AnimationChannel& channel : scene_.animation) {
-      LUEUR_CHECK_OP(channel.times_s.size(), ==, channel.values.size());
+      if (channel.path == AnimationPath::morph_weight) continue;
       const std::span<const float> times(channel.times_s);
-      const int input = add_accessor(add_view(bytes_of(times)), 0, kFloat, "SCALAR", times.size());
-      json_["accessors"][input]["min"] = {times.front()};
-      json_["accessors"][input]["max"] = {times.back()};
       const bool is_rotation = channel.path == AnimationPath::rotation;
       std::vector<float> values;
       for (const glm::vec4& v : channel.values)
@@ -335,17 +434,53 @@ class GlbWriter {
       const int view = add_view(bytes_of(std::span<const float>(values)));
       const int output =
           add_accessor(view, 0, kFloat, is_rotation ? "VEC4" : "VEC3", channel.values.size());
-      channels.push_back({{"sampler", samplers.size()},
-                          {"target",
-                           {{"node", channel.node},
-                            {"path", is_rotation                                  ? "rotation"
-                                     : channel.path == AnimationPath::translation ? "translation"
-                                                                                  : "scale"}}}});
-      samplers.push_back({{"input", input},
-                          {"output", output},
-                          {"interpolation", channel.step ? "STEP" : "LINEAR"}});
+      const char* path = is_rotation                                  ? "rotation"
+                         : channel.path == AnimationPath::translation ? "translation"
+                                                                      : "scale";
+      channels.push_back(
+          {{"sampler", samplers.size()}, {"target", {{"node", channel.node}, {"path", path}}}});
+      samplers.push_back(sampler_json(channel, add_times(times), output));
     }
-    add_to("animations", {{"samplers", std::move(samplers)}, {"channels", std::move(channels)}});
+    add_morph_animation(samplers, channels);
+    if (!channels.empty())
+      add_to("animations", {{"samplers", std::move(samplers)}, {"channels", std::move(channels)}});
+  }
+
+  int add_times(std::span<const float> times) {
+    const int input = add_accessor(add_view(bytes_of(times)), 0, kFloat, "SCALAR", times.size());
+    json_["accessors"][input]["min"] = {times.front()};
+    json_["accessors"][input]["max"] = {times.back()};
+    return input;
+  }
+
+  static Json sampler_json(const AnimationChannel& channel, int input, int output) {
+    const char* name = channel.interpolation == Interpolation::step     ? "STEP"
+                       : channel.interpolation == Interpolation::linear ? "LINEAR"
+                                                                        : "CUBICSPLINE";
+    return {{"input", input}, {"output", output}, {"interpolation", name}};
+  }
+
+  // glTF keeps the weights of all targets of a node in one sampler: it is made of the node's
+  // channels, which the loader has taken apart.
+  void add_morph_animation(Json& samplers, Json& channels) {
+    std::map<int32_t, std::vector<const AnimationChannel*>> by_node;
+    for (const AnimationChannel& channel : scene_.animation)
+      if (channel.path == AnimationPath::morph_weight) by_node[channel.node].push_back(&channel);
+    for (auto& [node, of_node] : by_node) {
+      std::sort(of_node.begin(), of_node.end(),
+                [](const auto* a, const auto* b) { return a->morph_target < b->morph_target; });
+      const AnimationChannel& first = *of_node.front();
+      std::vector<float> values;
+      for (size_t i = 0; i < first.values.size(); ++i)
+        for (const AnimationChannel* channel : of_node) {
+          LUEUR_CHECK_OP(channel->values.size(), ==, first.values.size());
+          values.push_back(channel->values[i].x);
+        }
+      const int output = add_array(std::span<const float>(values), kFloat, "SCALAR");
+      channels.push_back(
+          {{"sampler", samplers.size()}, {"target", {{"node", node}, {"path", "weights"}}}});
+      samplers.push_back(sampler_json(first, add_times(first.times_s), output));
+    }
   }
 
   // Header, JSON chunk padded with spaces, binary chunk padded with zeros.

@@ -14,6 +14,7 @@
 #include "scene/gltf_material.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_node.h"
+#include "scene/gltf_skin.h"
 #include "scene/gltf_texture.h"
 
 namespace lueur {
@@ -21,9 +22,9 @@ namespace {
 
 // Extensions that are read, or whose own reader warns about them.
 constexpr std::array kHandledExtensions{
-    std::string_view("KHR_lights_punctual"), std::string_view("KHR_materials_emissive_strength"),
+    std::string_view("KHR_lights_punctual"),    std::string_view("KHR_materials_emissive_strength"),
     std::string_view("KHR_materials_specular"), std::string_view("KHR_mesh_quantization"),
-    std::string_view("KHR_texture_transform"), std::string_view("EXT_mesh_gpu_instancing")};
+    std::string_view("KHR_texture_transform"),  std::string_view("EXT_mesh_gpu_instancing")};
 
 Result<void> warn_of_extensions(const GltfFile& file, Warnings& warnings) {
   const JsonCursor top = file.root();
@@ -36,29 +37,93 @@ Result<void> warn_of_extensions(const GltfFile& file, Warnings& warnings) {
   return {};
 }
 
-// Reads each mesh that a node of the scene uses, once.
-Result<void> read_meshes(const GltfFile& file, const NodeTree& tree, GltfMaterials& materials,
-                         Warnings& warnings, Scene& scene) {
-  constexpr int32_t kUnread = -2;
-  GeometryBudget budget{file.limits().vertices, file.limits().indices};
-  const JsonCursor top = file.root();
-  LUEUR_TRY(nodes, top.array("nodes"));
-  std::vector<int32_t> place_of_mesh(file.size_of("meshes"), kUnread);
-  for (size_t i = 0; i < tree.nodes.size(); ++i) {
-    LUEUR_TRY(node, nodes.element(static_cast<size_t>(tree.file_nodes[i])));
-    LUEUR_TRY(index, node.index("mesh", place_of_mesh.size(), "meshes"));
-    if (index == kNone) continue;
-    int32_t& place = place_of_mesh[static_cast<size_t>(index)];
-    if (place == kUnread) {
-      LUEUR_TRY(mesh, read_mesh(file, index, materials, budget, warnings));
-      place = mesh.primitives.empty() ? kNone : static_cast<int32_t>(scene.meshes.size());
-      if (place != kNone) scene.meshes.push_back(std::move(mesh));
+// Reads the meshes that the scene's nodes use, each once, and places an instance for each use.
+class InstanceReader {
+ public:
+  InstanceReader(const GltfFile& file, const NodeTree& tree, GltfMaterials& materials,
+                 Warnings& warnings, Scene& scene)
+      : file_(&file),
+        tree_(&tree),
+        materials_(&materials),
+        warnings_(&warnings),
+        scene_(&scene),
+        place_of_mesh_(file.size_of("meshes"), kUnread),
+        place_of_skin_(file.size_of("skins"), kUnread),
+        budget_{file.limits().vertices, file.limits().indices} {}
+
+  Result<void> read() {
+    const JsonCursor top = file_->root();
+    LUEUR_TRY(nodes, top.array("nodes"));
+    for (size_t i = 0; i < tree_->nodes.size(); ++i) {
+      LUEUR_TRY(node, nodes.element(static_cast<size_t>(tree_->file_nodes[i])));
+      LUEUR_TRY_VOID(read_node(node, static_cast<int32_t>(i)));
     }
-    if (place != kNone) scene.instances.push_back({static_cast<int32_t>(i), place});
+    if (scene_->instances.empty())
+      warnings_->add("the scene has no triangles: there is nothing to draw");
+    return {};
   }
-  if (scene.instances.empty()) warnings.add("the scene has no triangles: there is nothing to draw");
-  return {};
-}
+
+ private:
+  static constexpr int32_t kUnread = -2;
+
+  Result<void> read_node(const JsonCursor& at, int32_t node) {
+    LUEUR_TRY(file_mesh, at.index("mesh", place_of_mesh_.size(), "meshes"));
+    if (file_mesh == kNone) return {};
+    LUEUR_TRY(place, mesh(file_mesh));
+    if (place == kNone) return {};
+    const Mesh& drawn = scene_->meshes[static_cast<size_t>(place)];
+
+    MeshInstance instance{.node = node, .mesh = place};
+    LUEUR_TRY(weights, read_morph_weights(*file_, at, file_mesh, drawn));
+    instance.morph_weights = std::move(weights);
+    LUEUR_TRY(file_skin, at.index("skin", place_of_skin_.size(), "skins"));
+    if (file_skin != kNone && drawn.influences.empty()) {
+      warnings_->add("a mesh without joints has a skin: drawn where its node is");
+    } else if (file_skin != kNone) {
+      LUEUR_TRY(of_instance, skin(file_skin));
+      LUEUR_TRY_VOID(check_fit(at, drawn, scene_->skins[static_cast<size_t>(of_instance)]));
+      instance.skin = of_instance;
+    }
+
+    LUEUR_TRY(copies, read_copies(*file_, at, file_->limits().nodes - scene_->nodes.size()));
+    if (copies.empty()) scene_->instances.push_back(std::move(instance));
+    for (Node& copy : copies) {
+      copy.parent = node;
+      instance.node = static_cast<int32_t>(scene_->nodes.size());
+      scene_->nodes.push_back(std::move(copy));
+      scene_->instances.push_back(instance);
+    }
+    return {};
+  }
+
+  // The place in the scene of a mesh of the file; kNone where there is nothing to draw.
+  Result<int32_t> mesh(int32_t file_mesh) {
+    int32_t& place = place_of_mesh_[static_cast<size_t>(file_mesh)];
+    if (place != kUnread) return place;
+    LUEUR_TRY(mesh, read_mesh(*file_, file_mesh, *materials_, budget_, *warnings_));
+    place = mesh.primitives.empty() ? kNone : static_cast<int32_t>(scene_->meshes.size());
+    if (place != kNone) scene_->meshes.push_back(std::move(mesh));
+    return place;
+  }
+
+  Result<int32_t> skin(int32_t file_skin) {
+    int32_t& place = place_of_skin_[static_cast<size_t>(file_skin)];
+    if (place != kUnread) return place;
+    LUEUR_TRY(skin, read_skin(*file_, file_skin, *tree_));
+    place = static_cast<int32_t>(scene_->skins.size());
+    scene_->skins.push_back(std::move(skin));
+    return place;
+  }
+
+  const GltfFile* file_;
+  const NodeTree* tree_;
+  GltfMaterials* materials_;
+  Warnings* warnings_;
+  Scene* scene_;
+  std::vector<int32_t> place_of_mesh_;
+  std::vector<int32_t> place_of_skin_;
+  GeometryBudget budget_;
+};
 
 Result<Scene> read_scene(const std::filesystem::path& path, const LoadLimits& limits) {
   LUEUR_TRY(file, GltfFile::open(path, limits));
@@ -69,14 +134,14 @@ Result<Scene> read_scene(const std::filesystem::path& path, const LoadLimits& li
 
   Scene scene;
   scene.name = path.stem().string();
-  LUEUR_TRY(tree, read_nodes(file, warnings));
-  LUEUR_TRY_VOID(read_meshes(file, tree, materials, warnings, scene));
+  LUEUR_TRY(tree, read_nodes(file));
+  scene.nodes = tree.nodes;
+  LUEUR_TRY_VOID(InstanceReader(file, tree, materials, warnings, scene).read());
   LUEUR_TRY(cameras, read_cameras(file, tree, warnings));
   LUEUR_TRY(lights, read_lights(file, tree, warnings));
   LUEUR_TRY(animation, read_animation(file, tree, warnings));
   // Decode last: only what the meshes turned out to use.
   LUEUR_TRY(decoded, textures.decode());
-  scene.nodes = std::move(tree.nodes);
   scene.cameras = std::move(cameras);
   scene.lights = std::move(lights);
   scene.animation = std::move(animation);

@@ -113,7 +113,7 @@ TEST_F(GltfTest, PngTextureAndSampler) {
   EXPECT_EQ(texture.wrap_u, Wrap::clamp_to_edge);
   EXPECT_EQ(texture.wrap_v, Wrap::mirrored_repeat);
   EXPECT_TRUE(texture.nearest);
-  EXPECT_EQ(scene->materials[0].base_color_texture, 0);
+  EXPECT_EQ(scene->materials[0].base_color_texture.texture, 0);
 }
 
 TEST_F(GltfTest, JpegTexture) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <optional>
 #include <utility>
 
 #include "base/try.h"
@@ -21,10 +20,10 @@ Result<GltfMaterials::Use> GltfMaterials::use(int32_t index) {
     LUEUR_TRY(at, materials.element(static_cast<size_t>(index)));
     LUEUR_TRY(read_material, read(at));
     material = std::move(read_material);
-    LUEUR_TRY(uv_set, read_uv_set(at));
-    use.uv_set = uv_set;
+    choose_uv_sets(material, use);
     if (material.name.empty()) material.name = "material " + std::to_string(index);
   }
+  if (!use.uv_sets[0]) use.uv_sets[0] = 0;
   use.material = static_cast<int32_t>(materials_.size());
   materials_.push_back(std::move(material));
   uses_[index] = use;
@@ -82,6 +81,7 @@ Result<Material> GltfMaterials::read(const JsonCursor& at) {
   }
   LUEUR_TRY(double_sided, at.boolean("doubleSided", false));
   material.double_sided = double_sided;
+  material.unlit = extensions.has("KHR_materials_unlit");
   LUEUR_TRY_VOID(read_textures(at, pbr, material));
   LUEUR_TRY_VOID(read_alpha(at, material));
   return material;
@@ -118,27 +118,24 @@ Result<void> GltfMaterials::read_alpha(const JsonCursor& at, Material& material)
   return {};
 }
 
-// A vertex has one set of texture coordinates: the base colour's, or the first texture's.
-Result<uint32_t> GltfMaterials::read_uv_set(const JsonCursor& at) {
-  constexpr uint64_t kMaxUvSet = 64;
-  std::optional<uint64_t> chosen;
-  LUEUR_TRY(pbr, at.object("pbrMetallicRoughness"));
-  const std::array<std::pair<const JsonCursor*, const char*>, 4> infos{
-      {{&pbr, "baseColorTexture"},
-       {&at, "normalTexture"},
-       {&pbr, "metallicRoughnessTexture"},
-       {&at, "emissiveTexture"}}};
-  for (const auto& [parent, key] : infos) {
-    if (!parent->has(key)) continue;
-    LUEUR_TRY(info, parent->object(key));
-    LUEUR_TRY(set, info.count("texCoord", 0, kMaxUvSet));
-    if (chosen && *chosen != set)
+// A vertex has two sets of texture coordinates. The normal map, which tangents follow, is asked
+// first for the one it wants.
+void GltfMaterials::choose_uv_sets(Material& material, Use& use) {
+  for (TextureUse* texture : {&material.normal_texture, &material.base_color_texture,
+                              &material.metallic_roughness_texture, &material.emission_texture}) {
+    if (!texture->is_used()) continue;
+    uint32_t slot = 0;
+    while (slot < use.uv_sets.size() && use.uv_sets[slot] && *use.uv_sets[slot] != texture->uv_set)
+      ++slot;
+    if (slot == use.uv_sets.size()) {
       warnings_->add(
-          "a material uses several sets of texture coordinates: all its textures are "
-          "drawn with the first");
-    if (!chosen) chosen = set;
+          "a material uses more than two sets of texture coordinates: the textures of "
+          "the others are drawn with the first");
+      slot = 0;
+    }
+    use.uv_sets[slot] = use.uv_sets[slot].value_or(texture->uv_set);
+    texture->uv_set = slot;
   }
-  return static_cast<uint32_t>(chosen.value_or(0));
 }
 
 }  // namespace lueur

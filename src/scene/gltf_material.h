@@ -2,8 +2,10 @@
 // The materials that the primitives in use ask for.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "lueur/result.h"
@@ -17,7 +19,8 @@ class GltfMaterials {
  public:
   struct Use {
     int32_t material = 0;  // in Scene::materials
-    uint32_t uv_set = 0;   // the TEXCOORD_n its textures are addressed with
+    // The TEXCOORD_n that Vertex::uv and Vertex::uv_2 hold.
+    std::array<std::optional<uint32_t>, 2> uv_sets;
   };
 
   GltfMaterials(const GltfFile& file, GltfTextures& textures, Warnings& warnings)
@@ -34,7 +37,7 @@ class GltfMaterials {
   Result<Material> read(const JsonCursor& at);
   Result<void> read_textures(const JsonCursor& at, const JsonCursor& pbr, Material& material);
   Result<void> read_alpha(const JsonCursor& at, Material& material);
-  Result<uint32_t> read_uv_set(const JsonCursor& at);
+  void choose_uv_sets(Material& material, Use& use);
   Result<float> unit_number(const JsonCursor& at, const char* key, float fallback);
 
   const GltfFile* file_;

@@ -14,15 +14,11 @@
 
 #include "base/try.h"
 #include "scene/gltf_accessor.h"
+#include "scene/gltf_vertices.h"
 #include "scene/vertex_frame.h"
 
 namespace lueur {
 namespace {
-
-enum Attribute : size_t { kPosition, kNormal, kTangent, kUv, kAttributeCount };
-
-// One primitive's accessors; kNone where it has none. Primitives with the same ones share vertices.
-using Accessors = std::array<int32_t, kAttributeCount>;
 
 constexpr uint64_t kTriangles = 4, kTriangleStrip = 5, kTriangleFan = 6;
 
@@ -43,21 +39,6 @@ std::vector<uint32_t> separate_triangles(std::vector<uint32_t> corners, uint64_t
   return triangles;
 }
 
-// Splits the triangles apart, so that each vertex can have its face's normal.
-std::vector<Vertex> split_flat(const std::vector<Vertex>& vertices,
-                               std::vector<uint32_t>& corners) {
-  std::vector<Vertex> split;
-  split.reserve(corners.size());
-  for (const uint32_t corner : corners) split.push_back(vertices[corner]);
-  std::iota(corners.begin(), corners.end(), 0u);
-  make_flat_normals(split);
-  return split;
-}
-
-std::string uv_key_of(uint32_t uv_set) {
-  return "TEXCOORD_" + std::to_string(uv_set);
-}
-
 class MeshReader {
  public:
   MeshReader(const GltfFile& file, GltfMaterials& materials, GeometryBudget& budget,
@@ -68,16 +49,9 @@ class MeshReader {
 
  private:
   Result<void> read_primitive(const JsonCursor& at);
-  Result<Accessors> read_accessors(const JsonCursor& attributes, uint32_t uv_set) const;
   Result<std::vector<uint32_t>> read_corners(const JsonCursor& at, uint64_t mode,
                                              uint64_t vertex_count);
-  Result<std::vector<Vertex>> read_vertices(const JsonCursor& attributes,
-                                            const Accessors& accessors, uint32_t uv_set,
-                                            uint64_t count) const;
-  Result<std::vector<float>> read_attribute(const JsonCursor& attributes, const char* key,
-                                            int32_t accessor, uint32_t components,
-                                            uint64_t count) const;
-  void warn_of_what_is_left_out(const JsonCursor& at, const JsonCursor& attributes);
+  void append(PrimitiveVertices primitive);
   Result<void> spend(const JsonCursor& at, uint64_t& left, uint64_t count,
                      const char* things) const;
   Error over_budget(const JsonCursor& at, const char* things) const;
@@ -87,7 +61,7 @@ class MeshReader {
   GeometryBudget* budget_;
   Warnings* warnings_;
   Mesh mesh_;
-  std::map<Accessors, uint32_t> first_vertices_;
+  std::map<VertexAccessors, uint32_t> first_vertices_;
 };
 
 Result<Mesh> MeshReader::read(const JsonCursor& at) {
@@ -111,16 +85,14 @@ Result<void> MeshReader::read_primitive(const JsonCursor& at) {
     warnings_->add("points and lines are not drawn");
     return {};
   }
-  LUEUR_TRY(attributes, at.object("attributes"));
-  warn_of_what_is_left_out(at, attributes);
   LUEUR_TRY(material_index, at.index("material", file_->size_of("materials"), "materials"));
   LUEUR_TRY(material, materials_->use(material_index));
-  LUEUR_TRY(accessors, read_accessors(attributes, material.uv_set));
-  if (accessors[kPosition] == kNone) {
+  LUEUR_TRY(accessors, find_vertices(*file_, at, material.uv_sets, *warnings_));
+  if (accessors.position == kNone) {
     warnings_->add("primitives without positions are not drawn");
     return {};
   }
-  LUEUR_TRY(shape, accessor_shape(*file_, accessors[kPosition]));
+  LUEUR_TRY(shape, accessor_shape(*file_, accessors.position));
   if (!shape.has_data) {
     LUEUR_TRY(extensions, at.object("extensions"));
     if (extensions.has("KHR_draco_mesh_compression"))
@@ -139,15 +111,16 @@ Result<void> MeshReader::read_primitive(const JsonCursor& at) {
   if (known != first_vertices_.end()) {
     first_vertex = known->second;
   } else {
-    LUEUR_TRY_VOID(spend(at, budget_->vertices, shape.count, "vertices"));
-    LUEUR_TRY(vertices, read_vertices(attributes, accessors, material.uv_set, shape.count));
-    if (accessors[kNormal] == kNone) {
-      LUEUR_TRY_VOID(spend(at, budget_->vertices, corners.size(), "vertices"));
-      vertices = split_flat(vertices, corners);
-    } else {
+    const bool is_flat = accessors.normal == kNone;
+    const uint64_t copies = 1 + accessors.targets.size();
+    LUEUR_TRY_VOID(spend(at, budget_->vertices, shape.count * copies, "vertices"));
+    if (is_flat) LUEUR_TRY_VOID(spend(at, budget_->vertices, corners.size() * copies, "vertices"));
+    LUEUR_TRY(vertices, read_vertices(*file_, at, accessors, shape.count, mesh_.name, *warnings_));
+    if (is_flat)
+      split_flat(vertices, corners);
+    else
       first_vertices_[accessors] = first_vertex;
-    }
-    mesh_.vertices.insert(mesh_.vertices.end(), vertices.begin(), vertices.end());
+    append(std::move(vertices));
   }
   const uint32_t first_index = static_cast<uint32_t>(mesh_.indices.size());
   for (const uint32_t corner : corners) mesh_.indices.push_back(first_vertex + corner);
@@ -156,19 +129,39 @@ Result<void> MeshReader::read_primitive(const JsonCursor& at) {
   return {};
 }
 
-Result<Accessors> MeshReader::read_accessors(const JsonCursor& attributes, uint32_t uv_set) const {
-  const size_t accessor_count = file_->size_of("accessors");
-  const std::string uv_key = uv_key_of(uv_set);
-  const std::array<const char*, kAttributeCount> keys{"POSITION", "NORMAL", "TANGENT",
-                                                      uv_key.c_str()};
-  Accessors accessors{};
-  for (size_t i = 0; i < keys.size(); ++i) {
-    LUEUR_TRY(accessor, attributes.index(keys[i], accessor_count, "accessors"));
-    accessors[i] = accessor;
+// Appends `more` to `all`, of which there are `size` entries or none.
+template <class T>
+void append_padded(std::vector<T>& all, size_t size, std::vector<T> more, size_t more_size,
+                   const T& padding) {
+  if (more.empty() && all.empty()) return;
+  all.resize(size, padding);
+  more.resize(more_size, padding);
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+// Adds a primitive's vertices to the mesh'. Where only some primitives have joints or a morph
+// target, the others follow the first joint and stay.
+void MeshReader::append(PrimitiveVertices primitive) {
+  const size_t size = mesh_.vertices.size(), more = primitive.vertices.size();
+  append_padded(mesh_.influences, size, std::move(primitive.influences), more,
+                {glm::u16vec4(uint16_t{0}), glm::vec4(1.0f, 0.0f, 0.0f, 0.0f)});
+  const size_t target_count = std::max(mesh_.morph_targets.size(), primitive.targets.size());
+  if (size > 0 && primitive.targets.size() != mesh_.morph_targets.size())
+    warnings_->add("the primitives of a mesh differ in their number of morph targets");
+  mesh_.morph_targets.resize(target_count);
+  primitive.targets.resize(target_count);
+  for (size_t t = 0; t < target_count; ++t) {
+    MorphTarget &all = mesh_.morph_targets[t], &new_ones = primitive.targets[t];
+    const glm::vec3 none(0.0f);
+    append_padded(all.positions, size, std::move(new_ones.positions), more, none);
+    append_padded(all.normals, size, std::move(new_ones.normals), more, none);
+    append_padded(all.tangents, size, std::move(new_ones.tangents), more, none);
   }
-  // Tangents without the normals they belong to say nothing.
-  if (accessors[kNormal] == kNone) accessors[kTangent] = kNone;
-  return accessors;
+  if (mesh_.vertices.empty())
+    mesh_.vertices = std::move(primitive.vertices);
+  else
+    mesh_.vertices.insert(mesh_.vertices.end(), primitive.vertices.begin(),
+                          primitive.vertices.end());
 }
 
 Result<std::vector<uint32_t>> MeshReader::read_corners(const JsonCursor& at, uint64_t mode,
@@ -199,54 +192,6 @@ Result<std::vector<uint32_t>> MeshReader::read_corners(const JsonCursor& at, uin
     corners = std::move(indices);
   }
   return separate_triangles(std::move(corners), mode);
-}
-
-Result<std::vector<float>> MeshReader::read_attribute(const JsonCursor& attributes, const char* key,
-                                                      int32_t accessor, uint32_t components,
-                                                      uint64_t count) const {
-  if (accessor == kNone) return std::vector<float>();
-  LUEUR_TRY(shape, accessor_shape(*file_, accessor));
-  if (shape.components != components)
-    return attributes.error(key, "has to be a VEC" + std::to_string(components));
-  if (shape.count != count)
-    return attributes.error(key, std::to_string(shape.count) + " elements for " +
-                                     std::to_string(count) + " positions; re-export the file");
-  LUEUR_TRY(values, read_floats(*file_, accessor));
-  for (size_t i = 0; i < values.size(); ++i)
-    if (!std::isfinite(values[i]))
-      return attributes.error(key, "vertex " + std::to_string(i / components) + " of mesh '" +
-                                       printable(mesh_.name) +
-                                       "' is not finite; repair and re-export the model");
-  return std::move(values);
-}
-
-Result<std::vector<Vertex>> MeshReader::read_vertices(const JsonCursor& attributes,
-                                                      const Accessors& accessors, uint32_t uv_set,
-                                                      uint64_t count) const {
-  const std::string uv_key = uv_key_of(uv_set);
-  LUEUR_TRY(positions, read_attribute(attributes, "POSITION", accessors[kPosition], 3, count));
-  LUEUR_TRY(normals, read_attribute(attributes, "NORMAL", accessors[kNormal], 3, count));
-  LUEUR_TRY(tangents, read_attribute(attributes, "TANGENT", accessors[kTangent], 4, count));
-  LUEUR_TRY(uvs, read_attribute(attributes, uv_key.c_str(), accessors[kUv], 2, count));
-
-  std::vector<Vertex> vertices(count);
-  for (size_t i = 0; i < vertices.size(); ++i) {
-    Vertex& vertex = vertices[i];
-    vertex.position = {positions[3 * i], positions[3 * i + 1], positions[3 * i + 2]};
-    vertex.normal = normals.empty()
-                        ? glm::vec3(0.0f)
-                        : glm::vec3(normals[3 * i], normals[3 * i + 1], normals[3 * i + 2]);
-    vertex.tangent = tangents.empty() ? glm::vec4(0.0f)
-                                      : glm::vec4(tangents[4 * i], tangents[4 * i + 1],
-                                                  tangents[4 * i + 2], tangents[4 * i + 3]);
-    vertex.uv = uvs.empty() ? glm::vec2(0.0f) : glm::vec2(uvs[2 * i], uvs[2 * i + 1]);
-  }
-  return vertices;
-}
-
-void MeshReader::warn_of_what_is_left_out(const JsonCursor& at, const JsonCursor& attributes) {
-  if (at.has("targets")) warnings_->add("morph targets are not supported: drawn undeformed");
-  if (attributes.has("COLOR_0")) warnings_->add("vertex colours are not supported: drawn without");
 }
 
 Result<void> MeshReader::spend(const JsonCursor& at, uint64_t& left, uint64_t count,

@@ -191,7 +191,7 @@ void set_transform(Node& node, const glm::mat4& matrix) {
   node.scale = scale;
 }
 
-Result<NodeTree> read_nodes(const GltfFile& file, Warnings& warnings) {
+Result<NodeTree> read_nodes(const GltfFile& file) {
   const JsonCursor top = file.root();
   LUEUR_TRY(nodes, top.array("nodes"));
   if (nodes.size() > file.limits().nodes)
@@ -215,7 +215,6 @@ Result<NodeTree> read_nodes(const GltfFile& file, Warnings& warnings) {
     const int32_t parent = forest.parents[file_node];
     if (parent != kNone) node.parent = tree.node_of_file_node[static_cast<size_t>(parent)];
     LUEUR_TRY_VOID(read_transform(at, node));
-    if (at.has("skin")) warnings.add("skins are not supported: drawn in bind pose");
     posed.nodes.push_back(std::move(node));
   }
 
@@ -266,8 +265,6 @@ Result<std::vector<Light>> read_lights(const GltfFile& file, const NodeTree& tre
   for (size_t i = 0; i < tree.nodes.size(); ++i) {
     LUEUR_TRY(node, nodes.element(static_cast<size_t>(tree.file_nodes[i])));
     LUEUR_TRY(extensions, node.object("extensions"));
-    if (extensions.has("EXT_mesh_gpu_instancing"))
-      warnings.add("EXT_mesh_gpu_instancing is not supported: only one instance is drawn");
     LUEUR_TRY(reference, extensions.object(kExtension));
     LUEUR_TRY(index, reference.index("light", definitions.size(), "lights"));
     if (index == kNone) continue;

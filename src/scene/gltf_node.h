@@ -19,7 +19,7 @@ struct NodeTree {
 
 // Reads the default scene's nodes: `scene`, or the first, or every root where there are no scenes.
 // Refuses cycles, nodes with two parents, and transforms that are not finite.
-Result<NodeTree> read_nodes(const GltfFile& file, Warnings& warnings);
+Result<NodeTree> read_nodes(const GltfFile& file);
 
 // Cameras and lights that the tree's nodes carry.
 Result<std::vector<Camera>> read_cameras(const GltfFile& file, const NodeTree& tree,

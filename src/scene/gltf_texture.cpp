@@ -2,7 +2,9 @@
 #include "scene/gltf_texture.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <map>
 #include <new>
 #include <optional>
@@ -102,19 +104,42 @@ void decode_all(std::vector<EncodedImage>& images) {
   work();
 }
 
+// Reads where on the texture a surface's coordinates lead: scaled, turned, then moved. On the
+// picture, whose v points down, a positive angle turns the coordinates counter-clockwise.
+Result<void> read_place(const JsonCursor& info, TextureUse& use) {
+  constexpr uint64_t kMaxUvSet = 64;
+  LUEUR_TRY(set, info.count("texCoord", 0, kMaxUvSet));
+  LUEUR_TRY(extensions, info.object("extensions"));
+  LUEUR_TRY(at, extensions.object("KHR_texture_transform"));
+  LUEUR_TRY(set_instead, at.count("texCoord", set, kMaxUvSet));
+  use.uv_set = static_cast<uint32_t>(set_instead);
+  std::array<float, 2> offset{}, scale{1.0f, 1.0f};
+  LUEUR_TRY_VOID(at.numbers("offset", offset));
+  LUEUR_TRY_VOID(at.numbers("scale", scale));
+  LUEUR_TRY(angle, at.number("rotation", 0.0f));
+  const float c = std::cos(angle), s = std::sin(angle);
+  use.transform =
+      glm::mat3x2(scale[0] * c, -scale[0] * s, scale[1] * s, scale[1] * c, offset[0], offset[1]);
+  return {};
+}
+
 }  // namespace
 
-Result<int32_t> GltfTextures::use(const JsonCursor& material, const char* key) {
-  if (!material.has(key)) return kNone;
+Result<TextureUse> GltfTextures::use(const JsonCursor& material, const char* key) {
+  TextureUse use;
+  if (!material.has(key)) return use;
   LUEUR_TRY(info, material.object(key));
   LUEUR_TRY(index, info.required_index("index", file_->size_of("textures"), "textures"));
-  LUEUR_TRY(extensions, info.object("extensions"));
-  if (extensions.has("KHR_texture_transform"))
-    warnings_->add("KHR_texture_transform is not supported: textures are drawn untransformed");
-
+  LUEUR_TRY_VOID(read_place(info, use));
   const JsonCursor top = file_->root();
   LUEUR_TRY(textures, top.array("textures"));
   LUEUR_TRY(texture, textures.element(static_cast<size_t>(index)));
+  LUEUR_TRY(place, place_of(texture));
+  use.texture = place;
+  return use;
+}
+
+Result<int32_t> GltfTextures::place_of(const JsonCursor& texture) {
   LUEUR_TRY(image, texture.index("source", file_->size_of("images"), "images"));
   if (image == kNone) {
     if (texture.has("extensions"))

@@ -17,9 +17,9 @@ class GltfTextures {
  public:
   GltfTextures(GltfFile& file, Warnings& warnings) : file_(&file), warnings_(&warnings) {}
 
-  // Notes the texture that `material`'s member `key`, a texture info, refers to. Returns its place
-  // in Scene::textures, or kNone if there is none.
-  Result<int32_t> use(const JsonCursor& material, const char* key);
+  // Notes the texture that `material`'s member `key`, a texture info, refers to, with its transform
+  // (KHR_texture_transform). TextureUse::uv_set is the file's TEXCOORD_n.
+  Result<TextureUse> use(const JsonCursor& material, const char* key);
 
   // Reads and decodes all that were noted, on all processor cores.
   Result<std::vector<Texture>> decode();
@@ -32,6 +32,7 @@ class GltfTextures {
     bool nearest = false;
     auto operator<=>(const Slot&) const = default;
   };
+  Result<int32_t> place_of(const JsonCursor& texture);
   Result<void> read_sampler(const JsonCursor& texture, Slot& slot) const;
 
   GltfFile* file_;

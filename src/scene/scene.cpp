@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 
 namespace lueur {
 namespace {
@@ -23,17 +22,31 @@ glm::quat as_quaternion(const glm::vec4& xyzw) {
   return {xyzw.w, xyzw.x, xyzw.y, xyzw.z};
 }
 
+// glTF 2.0, appendix C: the cubic Hermite spline between two keys `span_s` apart.
+glm::vec4 hermite(const glm::vec4& from, const glm::vec4& slope_out, const glm::vec4& slope_in,
+                  const glm::vec4& to, float t, float span_s) {
+  const float t2 = t * t, t3 = t2 * t;
+  return (2.0f * t3 - 3.0f * t2 + 1.0f) * from + (t3 - 2.0f * t2 + t) * span_s * slope_out +
+         (3.0f * t2 - 2.0f * t3) * to + (t3 - t2) * span_s * slope_in;
+}
+
 // The channel's value; before the first and after the last key frame that one's.
 glm::vec4 sample(const AnimationChannel& channel, float time_s) {
+  const bool cubic = channel.interpolation == Interpolation::cubic_spline;
+  const auto value = [&](size_t key) -> const glm::vec4& {
+    return channel.values[cubic ? 3 * key + 1 : key];
+  };
   const auto after = std::upper_bound(channel.times_s.begin(), channel.times_s.end(), time_s);
-  if (after == channel.times_s.begin()) return channel.values.front();
-  if (after == channel.times_s.end()) return channel.values.back();
+  if (after == channel.times_s.begin()) return value(0);
   const size_t next = static_cast<size_t>(after - channel.times_s.begin());
-  const glm::vec4& from = channel.values[next - 1];
-  const glm::vec4& to = channel.values[next];
-  if (channel.step) return from;
+  const glm::vec4& from = value(next - 1);
+  if (after == channel.times_s.end() || channel.interpolation == Interpolation::step) return from;
+  const glm::vec4& to = value(next);
   const float start_s = channel.times_s[next - 1];
-  const float blend = (time_s - start_s) / (channel.times_s[next] - start_s);
+  const float span_s = channel.times_s[next] - start_s;
+  const float blend = (time_s - start_s) / span_s;
+  if (cubic)
+    return hermite(from, channel.values[3 * next - 1], channel.values[3 * next], to, blend, span_s);
   if (channel.path != AnimationPath::rotation) return glm::mix(from, to, blend);
   const glm::quat rotation = glm::slerp(as_quaternion(from), as_quaternion(to), blend);
   return {rotation.x, rotation.y, rotation.z, rotation.w};
@@ -46,11 +59,14 @@ void apply(const AnimationChannel& channel, float time_s, Node& node) {
       node.translation = glm::vec3(value);
       break;
     case AnimationPath::rotation:
-      node.rotation = glm::normalize(as_quaternion(value));
+      // A spline may pass through 0, where there is no rotation.
+      if (glm::dot(value, value) > 0.0f) node.rotation = glm::normalize(as_quaternion(value));
       break;
     case AnimationPath::scale:
       node.scale = glm::vec3(value);
       break;
+    case AnimationPath::morph_weight:
+      break;  // moves no node: see morph_weights()
   }
 }
 
@@ -58,11 +74,6 @@ glm::mat4 local_transform(const Node& node) {
   if (node.matrix) return *node.matrix;
   const glm::mat4 moved = glm::translate(glm::mat4(1.0f), node.translation);
   return glm::scale(moved * glm::mat4_cast(node.rotation), node.scale);
-}
-
-void grow(Bounds& box, const glm::vec3& point) {
-  box.min = glm::min(box.min, point);
-  box.max = glm::max(box.max, point);
 }
 
 }  // namespace
@@ -96,18 +107,17 @@ std::vector<glm::mat4> pose(const Scene& scene, float time_s) {
   return world_from_node;
 }
 
-Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  const Bounds nothing{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
-  Bounds box = nothing;
-  for (const MeshInstance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
-    const glm::mat4& world = world_from_node[static_cast<size_t>(instance.node)];
-    // Take only vertices that are drawn: files keep stray ones.
-    for (const uint32_t index : mesh.indices)
-      grow(box, glm::vec3(world * glm::vec4(mesh.vertices[index].position, 1.0f)));
-  }
-  return box.min.x <= box.max.x ? box : Bounds{};
+std::vector<float> morph_weights(const Scene& scene, const MeshInstance& instance, float time_s) {
+  const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
+  std::vector<float> weights = instance.morph_weights;
+  weights.resize(mesh.morph_targets.size(), 0.0f);
+  if (weights.empty()) return weights;
+  const float loop_s = looped_time(scene.animation, time_s);
+  for (const AnimationChannel& channel : scene.animation)
+    if (channel.path == AnimationPath::morph_weight && channel.node == instance.node &&
+        channel.morph_target < weights.size() && !channel.times_s.empty())
+      weights[channel.morph_target] = sample(channel, loop_s).x;
+  return weights;
 }
 
 uint64_t triangle_count(const Scene& scene) {

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/gtc/type_precision.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,24 @@ struct Texture {
   bool nearest = false;  // magnify without interpolation
 };
 
+// A texture as a material uses it. A bare index means: read where the first coordinates say.
+struct TextureUse {
+  TextureUse(int32_t texture_index = kNone) : texture(texture_index) {}
+
+  int32_t texture;      // in Scene::textures
+  uint32_t uv_set = 0;  // 0: Vertex::uv, 1: Vertex::uv_2
+  // Applied to the coordinates (u, v, 1): the columns are where u and v lead, and the offset.
+  glm::mat3x2 transform{1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f};
+
+  bool operator==(const TextureUse&) const = default;
+  bool is_used() const { return texture != kNone; }
+};
+
+// Where on the texture a point with these coordinates lies.
+inline glm::vec2 texture_place(const TextureUse& use, const glm::vec2& uv, const glm::vec2& uv_2) {
+  return use.transform * glm::vec3(use.uv_set == 0 ? uv : uv_2, 1.0f);
+}
+
 enum class AlphaMode : uint8_t { opaque, mask };
 
 // A cosine lobe, normalised so that `color` is what it reflects of light along its own axis. The
@@ -45,28 +64,40 @@ struct PhongLobe {
 // glTF's metallic-roughness model.
 struct Material {
   std::string name;
-  glm::vec4 base_color{1.0f};  // linear Rec.709 albedo and alpha, multiplies the texture
-  float metallic = 1.0f;       // multiplies the texture's blue channel
-  float roughness = 1.0f;      // perceptual; alpha = roughness²; multiplies green
-  float specular = 1.0f;       // share of a dielectric's 0.04: 0 is purely diffuse
-  glm::vec3 emission{0.0f};    // radiance in cd/m², emissive strength included
+  // Linear Rec.709 albedo and alpha; multiplies the texture and the vertices' colour.
+  glm::vec4 base_color{1.0f};
+  float metallic = 1.0f;     // multiplies the texture's blue channel
+  float roughness = 1.0f;    // perceptual; alpha = roughness²; multiplies green
+  float specular = 1.0f;     // share of a dielectric's 0.04: 0 is purely diffuse
+  glm::vec3 emission{0.0f};  // radiance in cd/m², emissive strength included
   float normal_scale = 1.0f;
-  int32_t base_color_texture = kNone;          // sRGB
-  int32_t metallic_roughness_texture = kNone;  // linear
-  int32_t normal_texture = kNone;              // linear, tangent space, +y up
-  int32_t emission_texture = kNone;            // sRGB
-  std::optional<PhongLobe> phong;              // takes the place of the specular GGX lobe
+  TextureUse base_color_texture;          // sRGB
+  TextureUse metallic_roughness_texture;  // linear
+  TextureUse normal_texture;              // linear, tangent space, +y up; by Vertex::uv
+  TextureUse emission_texture;            // sRGB
+  std::optional<PhongLobe> phong;         // takes the place of the specular GGX lobe
   AlphaMode alpha_mode = AlphaMode::opaque;
   float alpha_cutoff = 0.5f;
   bool double_sided = false;
+  // Looks like its base colour whatever the light, as if it emitted that radiance and reflected
+  // nothing.
+  bool unlit = false;
 };
 
+inline constexpr uint16_t kFullColor = 65535;  // 1 in Vertex::color
+
 struct Vertex {
-  glm::vec3 position;  // object space
-  glm::vec3 normal;    // unit length
-  glm::vec4 tangent;   // unit length; w = ±1, bitangent = cross(normal, tangent) * w
-  glm::vec2 uv;        // origin at the top left of the texture
+  glm::vec3 position;              // object space
+  glm::vec3 normal;                // unit length
+  glm::vec4 tangent;               // unit length; w = ±1, bitangent = cross(normal, tangent) * w
+  glm::vec2 uv;                    // origin at the top left of the texture
+  glm::vec2 uv_2{0.0f};            // a second set, for textures that say so
+  glm::u16vec4 color{kFullColor};  // linear RGBA in 65535ths
 };
+
+inline glm::vec4 color_of(const Vertex& vertex) {
+  return glm::vec4(vertex.color) / float{kFullColor};
+}
 
 // A range of a mesh's indices drawn with one material. Front faces are counter-clockwise.
 struct Primitive {
@@ -75,11 +106,24 @@ struct Primitive {
   int32_t material = 0;      // always valid
 };
 
+// The joints of a skin that move a vertex.
+struct JointInfluence {
+  glm::u16vec4 joints{uint16_t{0}};  // in Skin::joints
+  glm::vec4 weights{0.0f};           // 0 or more, their sum is 1
+};
+
+// What a morph target adds to each vertex, times its weight. Empty: nothing.
+struct MorphTarget {
+  std::vector<glm::vec3> positions, normals, tangents;
+};
+
 struct Mesh {
   std::string name;
   std::vector<Vertex> vertices;
   std::vector<uint32_t> indices;  // into `vertices`
   std::vector<Primitive> primitives;
+  std::vector<JointInfluence> influences;  // one a vertex, or none: the mesh cannot be skinned
+  std::vector<MorphTarget> morph_targets;
 };
 
 // Local transform = translation * rotation * scale.
@@ -93,9 +137,18 @@ struct Node {
   std::optional<glm::mat4> matrix;
 };
 
+// Nodes that a mesh follows instead of its own one.
+struct Skin {
+  std::string name;
+  std::vector<int32_t> joints;             // nodes
+  std::vector<glm::mat4> joint_from_mesh;  // one a joint: inverse bind matrices
+};
+
 struct MeshInstance {
   int32_t node = 0;
   int32_t mesh = 0;
+  int32_t skin = kNone;              // only for meshes with influences; then `node` moves nothing
+  std::vector<float> morph_weights;  // at rest, one for each target of the mesh
 };
 
 // Looks down its node's -z with +y up.
@@ -119,13 +172,18 @@ struct Light {
   float outer_cone_rad = 0.7854f;
 };
 
-enum class AnimationPath : uint8_t { translation, rotation, scale };
+enum class AnimationPath : uint8_t { translation, rotation, scale, morph_weight };
+// Linear means slerp for rotations. Cubic splines are glTF's: Hermite, with a tangent on each side
+// of a key in units per second.
+enum class Interpolation : uint8_t { linear, step, cubic_spline };
 
-// Key frames of one node's property; `values` holds xyz, or a quaternion as xyzw.
+// Key frames of one node's property. A value is xyz, a quaternion as xyzw, or a weight in x; a
+// cubic spline has three a key: the tangent before, the value, the tangent after.
 struct AnimationChannel {
   int32_t node = 0;
   AnimationPath path = AnimationPath::translation;
-  bool step = false;           // otherwise linear (slerp for rotations)
+  uint32_t morph_target = 0;  // of the meshes on the node
+  Interpolation interpolation = Interpolation::linear;
   std::vector<float> times_s;  // strictly ascending
   std::vector<glm::vec4> values;
 };
@@ -136,6 +194,7 @@ struct Scene {
   std::vector<Material> materials;  // at least one
   std::vector<Mesh> meshes;
   std::vector<Node> nodes;
+  std::vector<Skin> skins;
   std::vector<MeshInstance> instances;
   std::vector<Camera> cameras;  // at least one after loading
   std::vector<Light> lights;    // at least one after complete(); see framing.h
@@ -148,15 +207,18 @@ struct Scene {
 // out, as a camera does not scale.
 glm::mat4 world_from_camera(const glm::mat4& world_from_node);
 
-// World matrices of all nodes at `time_s`; animation loops over its longest channel.
+// World matrices of all nodes at `time_s`; animation loops over its longest channel. How skins and
+// morph targets shape meshes at that time is in scene/deform.h.
 std::vector<glm::mat4> pose(const Scene& scene, float time_s);
 
-// Box around everything drawn, in world space at `time_s`. Empty scenes give min = max = 0.
+// The morph weights of an instance at `time_s`, one for each target of its mesh.
+std::vector<float> morph_weights(const Scene& scene, const MeshInstance& instance, float time_s);
+
+// A box in world space.
 struct Bounds {
   glm::vec3 min{0.0f};
   glm::vec3 max{0.0f};
 };
-Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node);
 
 // Triangles drawn, instances counted each time.
 uint64_t triangle_count(const Scene& scene);

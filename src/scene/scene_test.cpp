@@ -6,6 +6,8 @@
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 
+#include "scene/deform.h"
+
 namespace lueur {
 namespace {
 
@@ -53,7 +55,7 @@ TEST(Pose, AnimationInterpolatesAndLoops) {
   expect_point(pose(scene, 0.5f)[0], {0, 0, 0}, {1, 0, 0});
   expect_point(pose(scene, 4.5f)[0], {0, 0, 0}, {1, 0, 0});
   expect_point(pose(scene, -1.5f)[0], {0, 0, 0}, {1, 0, 0});
-  scene.animation[0].step = true;
+  scene.animation[0].interpolation = Interpolation::step;
   expect_point(pose(scene, 1.9f)[0], {0, 0, 0}, {0, 0, 0});
 }
 
@@ -82,14 +84,14 @@ TEST(Bounds, CoverEveryInstanceAndCountItsTriangles) {
   scene.meshes = {mesh};
   scene.instances = {{0, 0}, {1, 0}};
   scene.materials.resize(1);
-  const Bounds box = bounds(scene, pose(scene, 0.0f));
+  const Bounds box = bounds_at(scene, 0.0f);
   // The first spans (1, 2, 3) to (1, 3, 2), the second (1, 2, -7) to (1, 5, -9).
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(box.min[i], (glm::vec3(1, 2, -9)[i]), 1e-5f);
     EXPECT_NEAR(box.max[i], (glm::vec3(1, 5, 3)[i]), 1e-5f);
   }
   EXPECT_EQ(triangle_count(scene), 2u);
-  EXPECT_EQ(bounds(Scene{}, {}).max, glm::vec3(0.0f));
+  EXPECT_EQ(bounds_at(Scene{}, 0.0f).max, glm::vec3(0.0f));
 }
 
 }  // namespace

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "scene/deform.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace lueur {
+namespace {
+
+// Adds what the targets move; normals and tangents are not unit length afterwards.
+void morph(const Mesh& mesh, const std::vector<float>& weights, std::vector<Vertex>& vertices) {
+  for (size_t t = 0; t < weights.size(); ++t) {
+    const MorphTarget& target = mesh.morph_targets[t];
+    const float weight = weights[t];
+    if (weight == 0.0f) continue;
+    for (size_t i = 0; i < target.positions.size(); ++i)
+      vertices[i].position += weight * target.positions[i];
+    for (size_t i = 0; i < target.normals.size(); ++i)
+      vertices[i].normal += weight * target.normals[i];
+    for (size_t i = 0; i < target.tangents.size(); ++i)
+      vertices[i].tangent += glm::vec4(weight * target.tangents[i], 0.0f);
+  }
+}
+
+// What the linear map does to normals, up to a positive factor: also right where it has no inverse.
+glm::mat3 cofactors(const glm::mat3& m) {
+  return {glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1])};
+}
+
+void skin(const Mesh& mesh, const Skin& skin, const std::vector<glm::mat4>& world_from_node,
+          std::vector<Vertex>& vertices) {
+  std::vector<glm::mat4> world_from_mesh;
+  for (size_t j = 0; j < skin.joints.size(); ++j)
+    world_from_mesh.push_back(world_from_node[static_cast<size_t>(skin.joints[j])] *
+                              skin.joint_from_mesh[j]);
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    const JointInfluence& influence = mesh.influences[i];
+    glm::mat4 blended(0.0f);
+    for (int k = 0; k < 4; ++k)
+      if (influence.weights[k] != 0.0f)
+        blended += influence.weights[k] * world_from_mesh[influence.joints[k]];
+    Vertex& vertex = vertices[i];
+    const glm::mat3 linear(blended);
+    vertex.position = glm::vec3(blended * glm::vec4(vertex.position, 1.0f));
+    vertex.normal = cofactors(linear) * vertex.normal;
+    vertex.tangent = glm::vec4(linear * glm::vec3(vertex.tangent), vertex.tangent.w);
+  }
+}
+
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
+  const float length = glm::length(v);
+  return length > 0.0f && length < std::numeric_limits<float>::infinity() ? v / length : fallback;
+}
+
+std::vector<Vertex> deformed_vertices(const Scene& scene, const MeshInstance& instance,
+                                      const std::vector<glm::mat4>& world_from_node, float time_s) {
+  const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
+  std::vector<Vertex> vertices = mesh.vertices;
+  morph(mesh, morph_weights(scene, instance, time_s), vertices);
+  if (instance.skin != kNone)
+    skin(mesh, scene.skins[static_cast<size_t>(instance.skin)], world_from_node, vertices);
+  for (size_t i = 0; i < vertices.size(); ++i) {
+    Vertex& vertex = vertices[i];
+    vertex.normal = unit_or(vertex.normal, mesh.vertices[i].normal);
+    const glm::vec3 tangent = unit_or(glm::vec3(vertex.tangent), mesh.vertices[i].tangent);
+    vertex.tangent = glm::vec4(tangent, vertex.tangent.w);
+  }
+  return vertices;
+}
+
+}  // namespace
+
+bool is_deformed(const Scene& scene, const MeshInstance& instance) {
+  return instance.skin != kNone ||
+         !scene.meshes[static_cast<size_t>(instance.mesh)].morph_targets.empty();
+}
+
+glm::mat4 world_from_instance(const MeshInstance& instance,
+                              const std::vector<glm::mat4>& world_from_node) {
+  return instance.skin != kNone ? glm::mat4(1.0f)
+                                : world_from_node[static_cast<size_t>(instance.node)];
+}
+
+std::vector<DeformedInstance> deformed_instances(const Scene& scene,
+                                                 const std::vector<glm::mat4>& world_from_node,
+                                                 float time_s) {
+  std::vector<DeformedInstance> deformed;
+  for (size_t i = 0; i < scene.instances.size(); ++i)
+    if (is_deformed(scene, scene.instances[i]))
+      deformed.push_back(
+          {i, deformed_vertices(scene, scene.instances[i], world_from_node, time_s)});
+  return deformed;
+}
+
+Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
+              const std::vector<DeformedInstance>& deformed) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Bounds box{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+  auto next = deformed.begin();
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
+    const MeshInstance& instance = scene.instances[i];
+    const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
+    const glm::mat4 world = world_from_instance(instance, world_from_node);
+    const bool is_next = next != deformed.end() && next->instance == i;
+    const std::vector<Vertex>& vertices = is_next ? next++->vertices : mesh.vertices;
+    // Take only vertices that are drawn: files keep stray ones.
+    for (const uint32_t index : mesh.indices) {
+      const glm::vec3 point(world * glm::vec4(vertices[index].position, 1.0f));
+      box.min = glm::min(box.min, point);
+      box.max = glm::max(box.max, point);
+    }
+  }
+  return box.min.x <= box.max.x ? box : Bounds{};
+}
+
+Bounds bounds_at(const Scene& scene, float time_s) {
+  const std::vector<glm::mat4> posed = pose(scene, time_s);
+  return bounds(scene, posed, deformed_instances(scene, posed, time_s));
+}
+
+Scene with_deformed_meshes(Scene scene, float time_s) {
+  auto deformed = deformed_instances(scene, pose(scene, time_s), time_s);
+  for (DeformedInstance& shaped : deformed) {
+    MeshInstance& instance = scene.instances[shaped.instance];
+    const Mesh& source = scene.meshes[static_cast<size_t>(instance.mesh)];
+    Mesh mesh{source.name, std::move(shaped.vertices), source.indices, source.primitives, {}, {}};
+    instance.mesh = static_cast<int32_t>(scene.meshes.size());
+    scene.meshes.push_back(std::move(mesh));
+    if (instance.skin != kNone) {
+      instance.node = static_cast<int32_t>(scene.nodes.size());
+      scene.nodes.emplace_back();
+    }
+    instance.skin = kNone;
+    instance.morph_weights.clear();
+  }
+  return scene;
+}
+
+}  // namespace lueur
