@@ -166,11 +166,12 @@ Outcome run_export(const Options& options) {
 }  // namespace
 
 void add_scene(CLI::App& program, Outcome& outcome) {
-  CLI::App* command = program.add_subcommand("scene", "List, describe and export scenes");
+  CLI::App* command = program.add_subcommand("scene", "List, describe, draw and export scenes");
   command->require_subcommand(1);
   command->footer(std::string("Examples:\n"
                               "  lueur scene list\n"
                               "  lueur scene info room.glb --json\n"
+                              "  lueur scene sheet models -o models.html\n"
                               "  lueur scene export atrium:triangles=250000 -o atrium.glb\n") +
                   kExitCodes);
   auto options = std::make_shared<Options>();
@@ -198,6 +199,8 @@ void add_scene(CLI::App& program, Outcome& outcome) {
                           "  lueur scene export atrium:triangles=250000 -o atrium.glb\n") +
               kExitCodes);
   out->callback([options, &outcome] { outcome = run_export(*options); });
+
+  add_scene_sheet(*command, outcome);
 }
 
 }  // namespace lueur::cli

@@ -22,6 +22,7 @@ void add_sequence(CLI::App& program, Outcome& outcome);
 void add_bench(CLI::App& program, Outcome& outcome);
 void add_diff(CLI::App& program, Outcome& outcome);
 void add_scene(CLI::App& program, Outcome& outcome);
+void add_scene_sheet(CLI::App& scene, Outcome& outcome);  // a command of `lueur scene`
 void add_devices(CLI::App& program, Outcome& outcome);
 void add_techniques(CLI::App& program, Outcome& outcome);
 

@@ -46,6 +46,9 @@ constexpr std::string_view kTimes =
 constexpr std::string_view kComparison =
 #include "report/page/comparison.js.inc"
     ;
+constexpr std::string_view kSheet =
+#include "report/page/sheet.js.inc"
+    ;
 
 }  // namespace
 
@@ -61,10 +64,17 @@ const std::string_view kComparisonSkeleton =
 const std::string_view kFigureSkeleton =
 #include "report/page/figures.html.inc"
     ;
+const std::string_view kSheetStyle =
+#include "report/page/sheet.css.inc"
+    ;
+const std::string_view kSheetSkeleton =
+#include "report/page/sheet.html.inc"
+    ;
 
 const std::array<std::string_view, 13> kComparisonScripts = {
     kDom,     kTable, kPlot,   kToneMap,   kMagma, kPackedPicture, kViewport,
     kReadOut, kViews, kViewer, kErrorMaps, kTimes, kComparison};
 const std::array<std::string_view, 4> kFigureScripts = {kDom, kTable, kPlot, kFigures};
+const std::array<std::string_view, 2> kSheetScripts = {kDom, kSheet};
 
 }  // namespace lueur::report
