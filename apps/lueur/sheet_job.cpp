@@ -156,10 +156,8 @@ Outcome run_sheet(SheetJob& job) {
   }
   report::Sheet& sheet = drawing.sheet;
   sheet.title = "Contact sheet: " + counted(sheet.scenes.size(), "scene");
-  sheet.facts = {{"technique", job.technique.label},
-                 {"device", device.name},
-                 {"version", LUEUR_VERSION},
-                 {"not drawn", sheet.refused.empty() ? "" : std::to_string(sheet.refused.size())}};
+  sheet.facts = {
+      {"technique", job.technique.label}, {"device", device.name}, {"version", LUEUR_VERSION}};
   sheet.command = job.command;
   sheet.width = job.size.width;
   sheet.height = job.size.height;

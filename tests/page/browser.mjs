@@ -74,3 +74,7 @@ export async function settle(page) {
     () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
   );
 }
+
+// By how many pixels the page is wider than its window.
+export const overflow = (page) =>
+  page.evaluate(() => document.documentElement.scrollWidth - innerWidth);

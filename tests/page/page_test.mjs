@@ -5,7 +5,8 @@ import {spawnSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
-import {openPage, settle, startBrowser} from './browser.mjs';
+import {openPage, overflow, settle, startBrowser} from './browser.mjs';
+import {sheetTests} from './sheet_tests.mjs';
 import {viewerTests} from './viewer_tests.mjs';
 
 const kOverallLimitMs = 90000; // whatever hangs, the test ends
@@ -21,8 +22,6 @@ assert.equal(sample.status, 0, 'sample_pages failed');
 const expected = JSON.parse(readFileSync(join(folder, 'expected.json')));
 const pageFile = (name) => join(folder, name, 'index.html');
 const open = (name, options) => openPage(browser, pageFile(name), options);
-
-const overflow = (page) => page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
 
 const tests = {
   ...viewerTests(expected),
@@ -224,7 +223,8 @@ for (const [name, test] of Object.entries(tests))
     assert.deepEqual(page.faults, []);
   });
 await page.close();
-for (const [name, test] of Object.entries(otherPages)) await run(name, test);
+for (const [name, test] of Object.entries({...otherPages, ...sheetTests(open)}))
+  await run(name, test);
 
 await browser.close();
 rmSync(folder, {recursive: true});

@@ -4,6 +4,7 @@
 //   FOLDER/one       one technique, no reference
 //   FOLDER/empty     nothing at all
 //   FOLDER/figures   each kind of block
+//   FOLDER/sheet     more scenes than fit a window, and files that were refused
 //   FOLDER/expected.json   what pixels of `full` must look like
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,11 @@
 
 #include "base/file.h"
 #include "base/try.h"
+#include "image/png.h"
 #include "report/comparison.h"
 #include "report/figure_page.h"
+#include "report/folder.h"
+#include "report/sheet.h"
 
 namespace lueur::report {
 namespace {
@@ -189,12 +193,41 @@ FigurePage figures(const Comparison& comparison) {
   return page;
 }
 
+// Scenes with one to three cameras, each picture brighter than the one before.
+Result<Sheet> sheet(uint32_t width, uint32_t height) {
+  Sheet sheet;
+  sheet.title = "Sheet of <scenes>";
+  sheet.facts = {{"device", "none, computed"}};
+  sheet.command = "lueur scene sheet models";
+  sheet.width = width;
+  sheet.height = height;
+  for (uint64_t i = 0; i < 60; ++i) {
+    const std::string name = "scene " + std::to_string(i);
+    SheetScene scene{name, "models/a long path/" + name + "/file.glb", i * 1000 + 1, 0.3, {}, {}};
+    if (i % 5 == 0) scene.warnings = {"no light: a sun was added", "</script><b>bold</b>"};
+    for (uint64_t camera = 0; camera <= i % 3; ++camera) {
+      const float strength = 0.2f + 0.02f * static_cast<float>(i + camera);
+      LUEUR_TRY(png, encode_png(to_display(render(width, height, {strength}).composed, 0.0f,
+                                           ToneMap::khronos_neutral),
+                                name));
+      scene.pictures.push_back({"camera " + std::to_string(camera), -1.5f, std::move(png)});
+    }
+    sheet.scenes.push_back(std::move(scene));
+  }
+  sheet.refused = {{"models/bad.glb", "shorter than its header says"},
+                   {"models/<b>worse</b>.gltf", "not JSON"}};
+  return sheet;
+}
+
 Result<void> write_pages(const fs::path& folder, uint32_t width, uint32_t height) {
   const Comparison comparison = full(width, height);
   LUEUR_TRY_VOID(write_comparison(comparison, folder / "full"));
   LUEUR_TRY_VOID(write_comparison(one(width, height), folder / "one"));
   LUEUR_TRY_VOID(write_comparison({.title = "nothing"}, folder / "empty"));
   LUEUR_TRY_VOID(write_figure_page(figures(comparison), folder / "figures"));
+  LUEUR_TRY(scenes, sheet(width, height));
+  LUEUR_TRY_VOID(make_folder(folder / "sheet"));
+  LUEUR_TRY_VOID(write_sheet(scenes, folder / "sheet" / "index.html"));
   return write_file(folder / "expected.json", expected_pixels(comparison).dump());
 }
 

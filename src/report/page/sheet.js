@@ -34,8 +34,20 @@ function entriesOf(scenes) {
     .map((entry, number) => ({...entry, number}));
 }
 
-function pictureUrl(number) {
-  return `data:image/png;base64,${byId(`picture-${number}`).textContent}`;
+// The data of an entry's picture. The card gets it on first use, and the page lets go of its own copy.
+function pictureUrl({card, number}) {
+  const image = card.querySelector('img');
+  if (!image.hasAttribute('src')) {
+    const packed = byId(`picture-${number}`);
+    image.src = `data:image/png;base64,${packed.textContent}`;
+    packed.remove();
+  }
+  return image.src;
+}
+
+// A path that breaks after its slashes first.
+function breakable(path) {
+  return path.split(/(?<=\/)/).flatMap((part, i) => (i === 0 ? [part] : [el('wbr'), part]));
 }
 
 function makeCard({scene, picture}, [width, height], onOpen) {
@@ -45,7 +57,7 @@ function makeCard({scene, picture}, [width, height], onOpen) {
     {class: 'card'},
     el('button', {type: 'button', class: 'open', title: 'Open', onclick: onOpen}, image),
     el('p', {class: 'name'}, scene.name),
-    scene.source === scene.name ? null : el('p', {class: 'quiet'}, scene.source),
+    scene.source === scene.name ? null : el('p', {class: 'quiet'}, breakable(scene.source)),
     el('p', {class: 'quiet'}, sceneFacts(scene, picture, scene.pictures.length === 1)),
     warningDetails(scene.warnings),
   );
@@ -53,23 +65,19 @@ function makeCard({scene, picture}, [width, height], onOpen) {
 
 // Gives each card its picture before it is seen, and all of them before they are printed.
 function loadWhenNear(entries) {
-  const load = ({card, number}) => {
-    const image = card.querySelector('img');
-    if (!image.hasAttribute('src')) image.src = pictureUrl(number);
-  };
   const entryOf = new Map(entries.map((entry) => [entry.card, entry]));
   const observer = new IntersectionObserver(
     (changes) => {
       for (const {isIntersecting, target} of changes) {
         if (!isIntersecting) continue;
         observer.unobserve(target);
-        load(entryOf.get(target));
+        pictureUrl(entryOf.get(target));
       }
     },
     {rootMargin: '100% 0px'},
   );
   for (const {card} of entries) observer.observe(card);
-  addEventListener('beforeprint', () => entries.forEach(load));
+  addEventListener('beforeprint', () => entries.forEach(pictureUrl));
 }
 
 // Returns what opens an entry. `entries` that are hidden are passed over.
@@ -77,10 +85,10 @@ function makeLarge(entries) {
   const dialog = byId('large');
   let current = null;
   const show = (entry) => {
-    const {scene, picture, number} = entry;
+    const {scene, picture} = entry;
     current = entry;
     byId('large-name').textContent = scene.name;
-    byId('large-picture').src = pictureUrl(number);
+    byId('large-picture').src = pictureUrl(entry);
     byId('large-picture').alt = `${scene.name}, ${picture.camera}`;
     const exposure = minus(picture.exposure_ev.toFixed(2));
     byId('large-facts').textContent = [
@@ -134,6 +142,8 @@ function showSearch(items) {
 
 function showSheet() {
   const data = readData();
+  if (data.refused.length > 0)
+    data.facts.push(['not drawn', el('a', {href: '#refused'}, grouped(data.refused.length))]);
   showHead(data);
   const entries = entriesOf(data.scenes);
   const open = makeLarge(entries);
@@ -142,7 +152,7 @@ function showSheet() {
   loadWhenNear(entries);
 
   const refusals = data.refused.map(({source, reason}) =>
-    el('li', {}, el('span', {}, source), el('span', {}, reason)),
+    el('li', {}, el('span', {}, breakable(source)), el('span', {}, reason)),
   );
   byId('refusals').append(...refusals);
   byId('refused').hidden = refusals.length === 0;
