@@ -31,6 +31,7 @@ TEST_F(Cli, HelpAndVersionGoToStdout) {
                                    {"scene"},
                                    {"scene", "list"},
                                    {"scene", "info"},
+                                   {"scene", "sheet"},
                                    {"scene", "export"}}) {
     Arguments arguments = command;
     arguments.push_back("--help");
