@@ -4,6 +4,7 @@
 #   embree xxhash                             the reference
 #   openexr PNG::PNG turbojpeg                pictures
 #   ZLIB::ZLIB                                pictures within pages
+#   meshoptimizer::meshoptimizer              compressed geometry
 #   glm::glm nlohmann_json::nlohmann_json CLI11::CLI11 Threads::Threads
 #   GTest::gtest GTest::gtest_main            tests only
 #
@@ -88,6 +89,7 @@ lueur_find_module(turbojpeg libturbojpeg libturbojpeg0-dev)
 lueur_find(glm glm::glm libglm-dev CONFIG)
 set_property(TARGET glm::glm APPEND PROPERTY INTERFACE_COMPILE_DEFINITIONS
              GLM_FORCE_DEPTH_ZERO_TO_ONE GLM_FORCE_RADIANS GLM_ENABLE_EXPERIMENTAL)
+lueur_find(meshoptimizer meshoptimizer::meshoptimizer libmeshoptimizer-dev CONFIG)
 lueur_find(nlohmann_json nlohmann_json::nlohmann_json nlohmann-json3-dev CONFIG)
 lueur_find(CLI11 CLI11::CLI11 libcli11-dev CONFIG)
 if(LUEUR_TESTS)

@@ -8,6 +8,7 @@
 
 #include "base/file.h"
 #include "base/try.h"
+#include "scene/gltf_meshopt.h"
 #include "scene/gltf_uri.h"
 
 namespace lueur {
@@ -19,11 +20,15 @@ constexpr uint32_t kBinaryChunk = 0x004E4942;  // "BIN\0"
 constexpr size_t kGlbHeaderBytes = 12;
 constexpr size_t kChunkHeaderBytes = 8;
 
-// Extensions that a file may call required. KHR_texture_transform is drawn without, with a warning.
-constexpr std::array kAcceptedExtensions{
-    std::string_view("KHR_lights_punctual"), std::string_view("KHR_materials_emissive_strength"),
-    std::string_view("KHR_materials_specular"), std::string_view("KHR_mesh_quantization"),
-    std::string_view("KHR_texture_transform")};
+constexpr std::array kSupportedExtensions{std::string_view("KHR_lights_punctual"),
+                                          std::string_view("KHR_materials_emissive_strength"),
+                                          std::string_view("KHR_materials_specular"),
+                                          std::string_view("KHR_mesh_quantization"),
+                                          std::string_view("KHR_texture_transform"),
+                                          std::string_view("KHR_materials_unlit"),
+                                          std::string_view("EXT_mesh_gpu_instancing"),
+                                          std::string_view("EXT_meshopt_compression"),
+                                          std::string_view("KHR_materials_pbrSpecularGlossiness")};
 
 struct Remedy {
   std::string_view extension;
@@ -32,15 +37,10 @@ struct Remedy {
 constexpr std::array kRemedies{
     Remedy{"KHR_draco_mesh_compression",
            "re-export without Draco compression, or run 'gltf-transform copy in.glb out.glb'"},
-    Remedy{"EXT_meshopt_compression",
-           "re-export without meshopt compression, or run 'gltf-transform copy in.glb out.glb'"},
     Remedy{"KHR_texture_basisu",
            "re-export with PNG or JPEG textures, or run 'gltf-transform ktxdecompress'"},
     Remedy{"EXT_texture_webp",
-           "re-export with PNG or JPEG textures, or run 'gltf-transform png in.glb out.glb'"},
-    Remedy{"EXT_mesh_gpu_instancing", "re-export with one node for each instance"},
-    Remedy{"KHR_materials_pbrSpecularGlossiness",
-           "run 'gltf-transform metalrough in.glb out.glb'"}};
+           "re-export with PNG or JPEG textures, or run 'gltf-transform png in.glb out.glb'"}};
 
 uint32_t read_u32(std::span<const uint8_t> bytes, size_t offset) {
   uint32_t value = 0;
@@ -48,12 +48,12 @@ uint32_t read_u32(std::span<const uint8_t> bytes, size_t offset) {
   return value;
 }
 
-bool is_accepted(std::string_view extension) {
-  return std::find(kAcceptedExtensions.begin(), kAcceptedExtensions.end(), extension) !=
-         kAcceptedExtensions.end();
-}
-
 }  // namespace
+
+bool is_supported(std::string_view extension) {
+  return std::find(kSupportedExtensions.begin(), kSupportedExtensions.end(), extension) !=
+         kSupportedExtensions.end();
+}
 
 std::string remedy_for(std::string_view extension) {
   for (const Remedy& remedy : kRemedies)
@@ -87,6 +87,7 @@ Result<GltfFile> GltfFile::open(const std::filesystem::path& path, const LoadLim
   file.json_ = std::move(json);
   LUEUR_TRY_VOID(file.check_header());
   LUEUR_TRY_VOID(file.read_buffers());
+  LUEUR_TRY_VOID(file.decode_views());
   return file;
 }
 
@@ -144,7 +145,7 @@ Result<void> GltfFile::check_header() const {
 
   LUEUR_TRY(required, top.texts("extensionsRequired"));
   for (const std::string& extension : required) {
-    if (is_accepted(extension)) continue;
+    if (is_supported(extension)) continue;
     return top.error("extensionsRequired",
                      printable(extension) + " is not supported; " + remedy_for(extension));
   }
@@ -188,20 +189,50 @@ Result<GltfFile::View> GltfFile::view(int32_t view) const {
   const JsonCursor top = root();
   LUEUR_TRY(views, top.array("bufferViews"));
   LUEUR_TRY(at, views.element(static_cast<size_t>(view)));
+  LUEUR_TRY(stride, at.count("byteStride", 0, kMaxStride));
+  if (const auto& decoded = decoded_views_[static_cast<size_t>(view)])
+    return View{*decoded, static_cast<uint32_t>(stride)};
   LUEUR_TRY(buffer, at.required_index("buffer", buffers_.size(), "buffers"));
+  LUEUR_TRY(offset, at.count("byteOffset", 0, limits_.file_bytes));
+  LUEUR_TRY(length, at.required_count("byteLength", limits_.file_bytes));
+  LUEUR_TRY(bytes, bytes_of(at, buffer, offset, length));
+  return View{bytes, static_cast<uint32_t>(stride)};
+}
+
+Result<std::span<const uint8_t>> GltfFile::bytes_of(const JsonCursor& at, int32_t buffer,
+                                                    uint64_t offset, uint64_t length) const {
   const std::optional<std::span<const uint8_t>>& bytes =
       buffers_[static_cast<size_t>(buffer)].bytes;
   if (!bytes)
     return at.error("buffer", "buffer " + std::to_string(buffer) +
                                   " has neither a uri nor a GLB chunk; re-export the file");
-  LUEUR_TRY(offset, at.count("byteOffset", 0, limits_.file_bytes));
-  LUEUR_TRY(length, at.required_count("byteLength", limits_.file_bytes));
-  LUEUR_TRY(stride, at.count("byteStride", 0, kMaxStride));
   if (offset > bytes->size() || length > bytes->size() - offset)
     return at.error("bytes " + std::to_string(offset) + " to " + std::to_string(offset + length) +
                     " are not all within the buffer's " + std::to_string(bytes->size()) +
                     "; re-export the file");
-  return View{bytes->subspan(offset, length), static_cast<uint32_t>(stride)};
+  return bytes->subspan(offset, length);
+}
+
+// Unpacks the views that are stored compressed, at once: textures and accessors share them.
+Result<void> GltfFile::decode_views() {
+  constexpr const char* kExtension = "EXT_meshopt_compression";
+  decoded_views_.resize(size_of("bufferViews"));
+  const JsonCursor top = root();
+  LUEUR_TRY(views, top.array("bufferViews"));
+  for (size_t i = 0; i < views.size(); ++i) {
+    LUEUR_TRY(at, views.element(i));
+    if (!at.has("extensions")) continue;
+    LUEUR_TRY(extensions, at.object("extensions"));
+    if (!extensions.has(kExtension)) continue;
+    LUEUR_TRY(extension, extensions.object(kExtension));
+    const uint64_t left = limits_.file_bytes - std::min(bytes_read_, limits_.file_bytes);
+    LUEUR_TRY(view, read_meshopt_view(extension, buffers_.size(), left));
+    LUEUR_TRY(compressed, bytes_of(extension, view.buffer, view.byte_offset, view.byte_length));
+    LUEUR_TRY(decoded, decode_meshopt(extension, view, compressed));
+    bytes_read_ += decoded.size();
+    decoded_views_[i] = std::move(decoded);
+  }
+  return {};
 }
 
 Result<std::vector<uint8_t>> GltfFile::read_uri(const std::string& uri, const JsonCursor& at) {

@@ -26,6 +26,8 @@ class Warnings {
   std::vector<std::string> lines_;
 };
 
+// Whether files may require the extension: what it adds is read.
+bool is_supported(std::string_view extension);
 // What a user can do about an extension that is not supported.
 std::string remedy_for(std::string_view extension);
 
@@ -56,6 +58,9 @@ class GltfFile {
   Result<void> split_glb();
   Result<void> check_header() const;
   Result<void> read_buffers();
+  Result<void> decode_views();
+  Result<std::span<const uint8_t>> bytes_of(const JsonCursor& at, int32_t buffer, uint64_t offset,
+                                            uint64_t length) const;
 
   struct Buffer {
     std::vector<uint8_t> storage;  // empty for the binary chunk, which lies in bytes_
@@ -70,6 +75,7 @@ class GltfFile {
   std::optional<std::span<const uint8_t>> binary_chunk_;
   Json json_;
   std::vector<Buffer> buffers_;
+  std::vector<std::optional<std::vector<uint8_t>>> decoded_views_;  // of compressed views
   uint64_t bytes_read_ = 0;
 };
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf_load.h"
 
-#include <algorithm>
-#include <array>
 #include <new>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "base/try.h"
@@ -20,18 +17,11 @@
 namespace lueur {
 namespace {
 
-// Extensions that are read, or whose own reader warns about them.
-constexpr std::array kHandledExtensions{
-    std::string_view("KHR_lights_punctual"),    std::string_view("KHR_materials_emissive_strength"),
-    std::string_view("KHR_materials_specular"), std::string_view("KHR_mesh_quantization"),
-    std::string_view("KHR_texture_transform"),  std::string_view("EXT_mesh_gpu_instancing")};
-
 Result<void> warn_of_extensions(const GltfFile& file, Warnings& warnings) {
   const JsonCursor top = file.root();
   LUEUR_TRY(used, top.texts("extensionsUsed"));
   for (const std::string& extension : used) {
-    if (std::find(kHandledExtensions.begin(), kHandledExtensions.end(), extension) ==
-        kHandledExtensions.end())
+    if (!is_supported(extension))
       warnings.add(printable(extension) + " is not supported: drawn without it");
   }
   return {};
@@ -145,7 +135,8 @@ Result<Scene> read_scene(const std::filesystem::path& path, const LoadLimits& li
   scene.cameras = std::move(cameras);
   scene.lights = std::move(lights);
   scene.animation = std::move(animation);
-  scene.materials = materials.take();
+  LUEUR_TRY(used_materials, materials.take(decoded));
+  scene.materials = std::move(used_materials);
   scene.textures = std::move(decoded);
   scene.warnings = warnings.take();
   return scene;

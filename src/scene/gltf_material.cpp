@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <glm/gtc/type_ptr.hpp>
+#include <string>
 #include <utility>
 
 #include "base/try.h"
@@ -30,7 +32,16 @@ Result<GltfMaterials::Use> GltfMaterials::use(int32_t index) {
   return use;
 }
 
-std::vector<Material> GltfMaterials::take() {
+Result<std::vector<Material>> GltfMaterials::take(std::vector<Texture>& textures) {
+  uint64_t bytes_left = file_->limits().texture_bytes;
+  for (const Texture& texture : textures)
+    bytes_left -= std::min<uint64_t>(texture.rgba.size(), bytes_left);
+  for (const auto& [place, from] : to_convert_)
+    if (!convert(from, materials_[place], textures, bytes_left))
+      return Error{ErrorKind::input,
+                   file_->name() + ": material '" + printable(materials_[place].name) +
+                       "': converted to metallic-roughness, all textures together take more than " +
+                       std::to_string(file_->limits().texture_bytes) + " bytes; resize them"};
   if (materials_.empty()) materials_.push_back({.name = "default"});
   return std::move(materials_);
 }
@@ -82,9 +93,38 @@ Result<Material> GltfMaterials::read(const JsonCursor& at) {
   LUEUR_TRY(double_sided, at.boolean("doubleSided", false));
   material.double_sided = double_sided;
   material.unlit = extensions.has("KHR_materials_unlit");
+  if (extensions.has("KHR_materials_pbrSpecularGlossiness")) {
+    LUEUR_TRY(model, extensions.object("KHR_materials_pbrSpecularGlossiness"));
+    LUEUR_TRY_VOID(read_specular_glossiness(model));
+  }
   LUEUR_TRY_VOID(read_textures(at, pbr, material));
   LUEUR_TRY_VOID(read_alpha(at, material));
   return material;
+}
+
+// Takes the place of the metallic-roughness numbers, which such a material may have as a fallback.
+Result<void> GltfMaterials::read_specular_glossiness(const JsonCursor& at) {
+  SpecularGlossiness from;
+  std::array<float, 4> diffuse{1.0f, 1.0f, 1.0f, 1.0f};
+  std::array<float, 3> specular{1.0f, 1.0f, 1.0f};
+  LUEUR_TRY_VOID(at.numbers("diffuseFactor", diffuse));
+  LUEUR_TRY_VOID(at.numbers("specularFactor", specular));
+  LUEUR_TRY(glossiness, unit_number(at, "glossinessFactor", 1.0f));
+  LUEUR_TRY(diffuse_texture, textures_->use(at, "diffuseTexture"));
+  LUEUR_TRY(specular_texture, textures_->use(at, "specularGlossinessTexture"));
+  from.diffuse = glm::clamp(glm::make_vec4(diffuse.data()), 0.0f, 1.0f);
+  from.specular = glm::clamp(glm::make_vec3(specular.data()), 0.0f, 1.0f);
+  from.glossiness = glossiness;
+  from.diffuse_texture = diffuse_texture;
+  from.specular_texture = specular_texture;
+  if (diffuse_texture.is_used() && specular_texture.is_used() &&
+      (diffuse_texture.uv_set != specular_texture.uv_set ||
+       diffuse_texture.transform != specular_texture.transform))
+    warnings_->add(
+        "KHR_materials_pbrSpecularGlossiness: the specular texture is drawn where the "
+        "diffuse one lies");
+  to_convert_[materials_.size()] = from;
+  return {};
 }
 
 Result<void> GltfMaterials::read_textures(const JsonCursor& at, const JsonCursor& pbr,
@@ -121,8 +161,13 @@ Result<void> GltfMaterials::read_alpha(const JsonCursor& at, Material& material)
 // A vertex has two sets of texture coordinates. The normal map, which tangents follow, is asked
 // first for the one it wants.
 void GltfMaterials::choose_uv_sets(Material& material, Use& use) {
-  for (TextureUse* texture : {&material.normal_texture, &material.base_color_texture,
-                              &material.metallic_roughness_texture, &material.emission_texture}) {
+  std::vector<TextureUse*> textures{&material.normal_texture, &material.base_color_texture,
+                                    &material.metallic_roughness_texture,
+                                    &material.emission_texture};
+  if (const auto other = to_convert_.find(materials_.size()); other != to_convert_.end())
+    textures.insert(textures.end(),
+                    {&other->second.diffuse_texture, &other->second.specular_texture});
+  for (TextureUse* texture : textures) {
     if (!texture->is_used()) continue;
     uint32_t slot = 0;
     while (slot < use.uv_sets.size() && use.uv_sets[slot] && *use.uv_sets[slot] != texture->uv_set)

@@ -12,6 +12,7 @@
 #include "scene/gltf_file.h"
 #include "scene/gltf_texture.h"
 #include "scene/scene.h"
+#include "scene/specular_glossiness.h"
 
 namespace lueur {
 
@@ -30,11 +31,13 @@ class GltfMaterials {
   // material.
   Result<Use> use(int32_t index);
 
-  // All that were used, at least one.
-  std::vector<Material> take();
+  // All that were used, at least one. Materials of the specular-glossiness model are converted;
+  // `textures` holds what the textures decoded to, and gets theirs.
+  Result<std::vector<Material>> take(std::vector<Texture>& textures);
 
  private:
   Result<Material> read(const JsonCursor& at);
+  Result<void> read_specular_glossiness(const JsonCursor& at);
   Result<void> read_textures(const JsonCursor& at, const JsonCursor& pbr, Material& material);
   Result<void> read_alpha(const JsonCursor& at, Material& material);
   void choose_uv_sets(Material& material, Use& use);
@@ -45,6 +48,7 @@ class GltfMaterials {
   Warnings* warnings_;
   std::vector<Material> materials_;
   std::map<int32_t, Use> uses_;
+  std::map<size_t, SpecularGlossiness> to_convert_;  // by place in materials_
 };
 
 }  // namespace lueur
