@@ -8,19 +8,73 @@
 #include "reference/reference.h"
 #include "renderer/renderer.h"
 #include "scene/builtin/builtin.h"
+#include "scene/builtin/procedural_texture.h"
+#include "scene/builtin/scene_builder.h"
 #include "shading/packing.h"
 #include "support/gpu_test.h"
+#include "support/test_scene.h"
 
 namespace lueur {
 namespace {
 
 constexpr Extent kExtent{320, 180};
 
+// Panels that show what a file may bring along, each in its own way: the vertices' colours; a
+// texture by the second coordinates, scaled, turned and moved; two joints, of which one turns; a
+// morph target; no light at all on a surface that shows its colour.
+Scene panels() {
+  Scene scene = scene_seen_from({0, 0.4f, 2.6f}, {0, 0.4f, 0});
+  const auto panel = [&](float x, int32_t material) -> Mesh& {
+    add_quad(scene, {x, 0, 0}, {0.6f, 0, 0.1f}, {0, 0.8f, 0}, material);
+    return scene.meshes.back();
+  };
+  Mesh& colored = panel(-1.75f, 0);
+  colored.vertices[0].color = {65535, 9000, 3000, 65535};
+  colored.vertices[2].color = {3000, 9000, 65535, 65535};
+
+  scene.textures.push_back(builtin::make_color_texture("waves", 64, [](glm::vec2 uv) {
+    return glm::vec3(0.5f) + 0.4f * glm::sin(glm::vec3(6.2831853f) * glm::vec3(uv, uv.x + uv.y));
+  }));
+  const int32_t placed = builtin::add_material(scene, "placed", glm::vec3(0.9f), 1.0f);
+  TextureUse& use = scene.materials.back().base_color_texture;
+  use.texture = 0;
+  use.uv_set = 1;
+  use.transform = glm::mat3x2(0.8f, -0.6f, 0.9f, 1.2f, 0.3f, 0.1f);
+  for (Vertex& vertex : panel(-1.05f, placed).vertices) vertex.uv_2 = glm::vec2(1) - vertex.uv;
+
+  Mesh& skinned = panel(0, 0);
+  scene.instances.back().skin = 0;
+  Skin skin;
+  for (const float x : {-0.35f, 0.0f}) {
+    skin.joints.push_back(builtin::add_node(scene, "joint", {x, 0, 0}));
+    skin.joint_from_mesh.emplace_back(1.0f);
+  }
+  builtin::animate_rotation(scene, skin.joints[1], 4, [](float phase) {
+    return glm::angleAxis(2.0f * phase, glm::vec3(0, 1, 0));
+  });
+  scene.skins.push_back(skin);
+  for (uint16_t i = 0; i < 4; ++i)
+    skinned.influences.push_back({glm::u16vec4(0, 1, 0, 0), {0.25f * i, 1.0f - 0.25f * i, 0, 0}});
+
+  Mesh& morphed = panel(0.35f, placed);
+  morphed.morph_targets.push_back({{{0, 0, 0}, {0, 0.2f, 0.04f}, {0.1f, 0, 0}, {0, 0, 0}}, {}, {}});
+  scene.instances.back().morph_weights = {0.7f};
+
+  builtin::add_material(scene, "unlit", {0.2f, 0.6f, 0.4f});
+  scene.materials.back().unlit = true;
+  panel(1.1f, static_cast<int32_t>(scene.materials.size()) - 1).vertices[1].color = {65535, 20000,
+                                                                                     65535, 65535};
+  add_light(scene, LightKind::point, 30.0f, {1, 2, 4});
+  return scene;
+}
+
 struct Case {
   const char* scene;
   // Share of the pixels that lie beside an edge and differ by more than 5 %: what the shadow maps
   // cost this scene. Twice what was seen, as drivers round their way around edges.
   double most_at_edges;
+  Scene (*make)() = nullptr;  // none: the built-in scene of that name
+  float time_s = 0.0f;
 };
 
 void PrintTo(const Case& c, std::ostream* out) {
@@ -31,21 +85,24 @@ class DirectLightTest : public GpuTest, public testing::WithParamInterface<Case>
  protected:
   void SetUp() override {
     GpuTest::SetUp();
-    const auto scene = make_builtin_scene(GetParam().scene);
+    const float time_s = GetParam().time_s;
+    const Result<Scene> scene =
+        GetParam().make ? GetParam().make() : make_builtin_scene(GetParam().scene);
     ASSERT_TRUE(scene.ok());
     near_m_ = scene->cameras[0].near_m;
     auto renderer = Renderer::create(system(), context(), *scene);
     ASSERT_TRUE(renderer.ok());
     run([&](Frame& frame) {
-      const RenderedImages images = (*renderer)->record(frame, {.extent = kExtent}, nullptr);
+      const RenderedImages images =
+          (*renderer)->record(frame, {.extent = kExtent, .time_s = time_s}, nullptr);
       for (const auto& [name, image] :
            {std::pair{"source", images.source}, std::pair{"specular", images.specular},
             std::pair{"albedo", images.albedo}, std::pair{"normal", images.normal},
             std::pair{"depth", images.depth}})
         frame.recorder().read_back(name, image);
     });
-    auto truth =
-        reference::render(*scene, {.width = kExtent.width, .height = kExtent.height}, {.spp = 1});
+    auto truth = reference::render(
+        *scene, {.width = kExtent.width, .height = kExtent.height, .time_s = time_s}, {.spp = 1});
     ASSERT_TRUE(truth.ok());
     truth_ = std::move(*truth);
   }
@@ -138,7 +195,8 @@ TEST_P(DirectLightTest, LightDiffersBesideEdgesAlone) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DirectLightTest,
                          testing::Values(Case{"cornell", 0.01}, Case{"spot-floor", 0.001},
-                                         Case{"atrium:triangles=20000", 0.04}),
+                                         Case{"atrium:triangles=20000", 0.04},
+                                         Case{"panels", 0.01, panels, 1.5f}),
                          [](const auto& instance) {
                            const std::string name = instance.param.scene;
                            return name == "spot-floor" ? "spot_floor"
