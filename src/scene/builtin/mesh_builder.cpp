@@ -114,6 +114,17 @@ void MeshBuilder::add_fan(glm::vec3 center, int rim_count,
     add_triangle(hub, hub + 1 + uint32_t(k), hub + 1 + uint32_t((k + 1) % rim_count));
 }
 
+void MeshBuilder::add_indexed(std::span<const SurfacePoint> points,
+                              std::span<const uint32_t> indices) {
+  LUEUR_CHECK_OP(indices.size() % 3, ==, 0u);
+  triangle_count_ += indices.size() / 3;
+  if (mode_ == Mode::count) return;
+  const uint32_t first = uint32_t(vertices_.size());
+  for (const SurfacePoint& point : points) add_vertex(point);
+  for (size_t k = 0; k < indices.size(); k += 3)
+    add_triangle(first + indices[k], first + indices[k + 1], first + indices[k + 2]);
+}
+
 Mesh MeshBuilder::finish(std::string name) {
   LUEUR_CHECK(mode_ == Mode::build);
   Mesh mesh;

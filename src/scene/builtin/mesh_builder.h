@@ -64,6 +64,9 @@ class MeshBuilder {
   void add_fan(glm::vec3 center, int rim_count, const std::function<glm::vec3(int k)>& rim_at,
                glm::vec3 normal);
 
+  // Any piece: three `indices` into `points` a triangle, counter-clockwise from outside.
+  void add_indexed(std::span<const SurfacePoint> points, std::span<const uint32_t> indices);
+
   bool counts_only() const { return mode_ == Mode::count; }
   uint64_t triangle_count() const { return triangle_count_; }
 
