@@ -42,13 +42,15 @@ Result<Scene> make_atrium_checked(const SceneParameters& parameters) {
   return builtin::make_atrium(triangles);
 }
 
-constexpr std::array<BuiltinScene, 3> kScenes{{
+constexpr auto kScenes = std::to_array<BuiltinScene>({
     {"atrium", "colonnaded courtyard in the sun with coloured drapes (triangles=10000…1000000)",
      make_atrium_checked},
     {"cornell", "the measured Cornell box, ten times its size", make_fixed<builtin::make_cornell>},
     {"spot-floor", "objects lit only by a spotlight's disc on the floor",
      make_fixed<builtin::make_spot_floor>},
-}};
+    {"floating-object", "a dragon of 70 000 triangles afloat in a box under a spotlight",
+     make_fixed<builtin::make_floating_object>},
+});
 
 std::string scene_names() {
   std::string names;

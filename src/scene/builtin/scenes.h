@@ -21,4 +21,7 @@ Scene make_atrium(uint32_t triangles);
 // A spotlight turned at the floor between objects that only the floor's light reaches.
 Scene make_spot_floor();
 
+// A detailed object that floats and turns in a box under a spotlight; 70 000 triangles of its own.
+Scene make_floating_object();
+
 }  // namespace lueur::builtin

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The detailed object of a scene, which a mesh of the user's can take the place of.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.h"
+
+namespace lueur::builtin {
+
+struct DetailedObject {
+  uint32_t triangles;  // met within 3 %
+  float height_m;
+};
+
+// Adds the object, standing on the origin of `parent` and looking along its +z. Only one a scene.
+void add_detailed_object(Scene& scene, const DetailedObject& object, int32_t parent);
+
+// Whether `scene` has such an object.
+bool has_detailed_object(const Scene& scene);
+
+// Puts all that `other` draws at its start in the object's place: scaled as a whole to fit the
+// object's box, upright on the same floor in the middle. Materials and textures come along; lights,
+// cameras, animation and what `other` says of its exposure do not.
+void replace_detailed_object(Scene& scene, const Scene& other);
+
+}  // namespace lueur::builtin

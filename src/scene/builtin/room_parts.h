@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// Walls, floors, mouldings and surfaces of the scenes that play in a room.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+
+#include "scene/builtin/mesh_builder.h"
+#include "scene/builtin/procedural_texture.h"
+#include "scene/builtin/shapes.h"
+#include "scene/scene.h"
+
+namespace lueur::builtin {
+
+Pattern plaster_pattern();  // near white, trowelled: coloured by the material
+Pattern board_pattern();    // eight floor boards of oak, staggered
+Pattern tile_pattern();     // 4 x 4 square tiles of pale stone with fine joints
+
+// Adds a material that wears `pattern`, tinted by `tint`.
+int32_t add_patterned_material(Scene& scene, const std::string& name, glm::vec3 tint,
+                               float roughness, uint32_t size, float size_m,
+                               const Pattern& pattern);
+
+// The same surface in another colour: shares the textures of `material`.
+int32_t add_tinted_material(Scene& scene, const std::string& name, int32_t material,
+                            glm::vec3 tint);
+
+// Inner faces of a room and what they are made of; kNone leaves a side to the caller.
+struct Room {
+  glm::vec3 min, max;
+  float wall_m = 0.3f;
+  int32_t left = kNone, right = kNone;     // at min.x, max.x
+  int32_t floor = kNone, ceiling = kNone;  // at min.y, max.y
+  int32_t back = kNone, front = kNone;     // at min.z, max.z
+  float floor_texture_m = 2.0f, wall_texture_m = 2.0f;
+};
+
+// Each side as a slab of its own mesh; floor and ceiling reach over the walls, back and front over
+// left and right, so that no light comes in at the edges.
+void add_room(Scene& scene, const Room& room, const Tessellation& tessellation);
+
+// A skirting board along the walls that are not kNone (left, right, back, front).
+struct Skirting {
+  int32_t material;
+  float height_m = 0.14f;
+  float depth_m = 0.025f;
+};
+void add_skirting(Scene& scene, const Room& room, const Skirting& skirting);
+
+// A box whose edges and corners are rounded by `bevel_m`.
+void add_rounded_box(MeshBuilder& builder, glm::vec3 min, glm::vec3 max, float bevel_m,
+                     const Tessellation& tessellation);
+
+}  // namespace lueur::builtin
