@@ -48,6 +48,8 @@ constexpr auto kScenes = std::to_array<BuiltinScene>({
     {"cornell", "the measured Cornell box, ten times its size", make_fixed<builtin::make_cornell>},
     {"spot-floor", "objects lit only by a spotlight's disc on the floor",
      make_fixed<builtin::make_spot_floor>},
+    {"divider-room", "a dragon of 60 000 triangles on its way around a divider in a coloured room",
+     make_fixed<builtin::make_divider_room>},
     {"floating-object", "a dragon of 70 000 triangles afloat in a box under a spotlight",
      make_fixed<builtin::make_floating_object>},
 });

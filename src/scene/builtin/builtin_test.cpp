@@ -232,7 +232,7 @@ TEST_P(EveryBuiltin, LightsReachSomething) {
 
 INSTANTIATE_TEST_SUITE_P(Builtin, EveryBuiltin,
                          testing::Values("atrium", "atrium:triangles=10000", "cornell",
-                                         "spot-floor", "floating-object"),
+                                         "spot-floor", "divider-room", "floating-object"),
                          [](const auto& instance) {
                            std::string name;
                            for (const char c : instance.param) name += std::isalnum(c) ? c : '_';
@@ -338,8 +338,8 @@ TEST(SpotFloor, LightsNothingButTheFloor) {
 
 TEST(BuiltinSpec, NamesWhatIsValid) {
   const std::map<std::string, std::string> expected = {
-      {"sponza", "atrium, cornell, spot-floor, floating-object"},
-      {"", "atrium, cornell, spot-floor, floating-object"},
+      {"sponza", "atrium, cornell, spot-floor, divider-room, floating-object"},
+      {"", "atrium, cornell, spot-floor, divider-room, floating-object"},
       {"atrium:size=3", "triangles=N"},
       {"atrium:", "triangles=N"},
       {"atrium:triangles=many", "10000 to 1000000"},

@@ -87,6 +87,8 @@ class Dragon {
   struct Spike {
     vec3 foot, tip;
     float radius;
+    vec3 center;  // of a ball around it
+    float reach;
   };
 
   static Vertebra between(const Vertebra& a, const Vertebra& b, const Vertebra& c,
@@ -102,7 +104,7 @@ class Dragon {
   }
 
   void bound_runs() {
-    constexpr size_t kRun = 9;
+    constexpr size_t kRun = 6;
     for (size_t first = 0; first + 1 < spine_.size(); first += kRun) {
       Run run{first, std::min(first + kRun, spine_.size() - 1), {}, 0};
       run.center = 0.5f * (spine_[run.first].position + spine_[run.last].position);
@@ -124,9 +126,14 @@ class Dragon {
       const vec3 along = glm::normalize(v.position - spine_[k - 1].position);
       const vec3 back = glm::normalize(v.back - along * glm::dot(v.back, along));
       const float size = 0.35f + 0.65f * std::sin(kPi * std::sqrt(v.length_m / whole));
-      spikes_.push_back({v.position + back * (0.85f * v.radius),
-                         v.position + back * (v.radius + 0.085f * size) - along * (0.06f * size),
-                         0.014f + 0.014f * size});
+      Spike spike{v.position + back * (0.85f * v.radius),
+                  v.position + back * (v.radius + 0.085f * size) - along * (0.06f * size),
+                  0.014f + 0.014f * size,
+                  {},
+                  0};
+      spike.center = 0.5f * (spike.foot + spike.tip);
+      spike.reach = 0.5f * glm::distance(spike.foot, spike.tip) + spike.radius;
+      spikes_.push_back(spike);
     }
   }
 
@@ -141,8 +148,8 @@ class Dragon {
     // Find the nearest point of the spine.
     float nearest = 1e9f, share = 0.0f;
     size_t segment = 0;
-    for (const Run& run : runs_) {
-      if (glm::distance(p, run.center) - run.radius > nearest) continue;
+    const auto from_run = [&](const Run& run) { return glm::distance(p, run.center) - run.radius; };
+    const auto search = [&](const Run& run) {
       for (size_t k = run.first; k < run.last; ++k) {
         const Vertebra &a = spine_[k], &b = spine_[k + 1];
         const float s = sdf::segment_share(p, a.position, b.position);
@@ -153,7 +160,13 @@ class Dragon {
         segment = k;
         share = s;
       }
-    }
+    };
+    const auto first =
+        std::min_element(runs_.begin(), runs_.end(),
+                         [&](const Run& a, const Run& b) { return from_run(a) < from_run(b); });
+    search(*first);
+    for (auto run = runs_.begin(); run != runs_.end(); ++run)
+      if (run != first && from_run(*run) <= nearest) search(*run);
     if (nearest > 0.2f) return nearest - kProud;  // nothing stands out that far
     const Vertebra &a = spine_[segment], &b = spine_[segment + 1];
     const vec3 along = glm::normalize(b.position - a.position);
@@ -165,9 +178,9 @@ class Dragon {
     nearest -= relief(glm::mix(a.length_m, b.length_m, share), turn) *
                glm::smoothstep(0.02f, 0.06f, thick);
     for (const Spike& spike : spikes_) {
-      if (glm::distance(p, spike.foot) > nearest + 0.16f) continue;
+      if (glm::distance(p, spike.center) - spike.reach > nearest + kFillet) continue;
       nearest = sdf::smooth_min(nearest, sdf::cone(p, spike.foot, spike.tip, spike.radius, 0.005f),
-                                0.012f);
+                                kFillet);
     }
     return nearest;
   }
@@ -205,6 +218,7 @@ class Dragon {
   }
 
   static constexpr float kRelief = 0.011f;  // m: height of scales and plates
+  static constexpr float kFillet = 0.012f;  // m: at the foot of a spike
   static constexpr float kProud = 0.12f;    // m: a spike is shorter
 
   std::vector<Vertebra> spine_;

@@ -84,6 +84,8 @@ float dragon_head(vec3 p) {
 
 float dragon_wings(vec3 p) {
   p.x = std::abs(p.x);
+  const float far = sdf::box(p, {0.36f, 0.71f, -0.34f}, {0.34f, 0.38f, 0.18f});
+  if (far > 0.1f) return far;
   constexpr vec3 kShoulder{0.05f, 0.47f, -0.20f}, kElbow{0.19f, 0.70f, -0.33f};
   constexpr vec3 kWrist{0.30f, 0.97f, -0.26f}, kRoot{0.07f, 0.36f, -0.30f};
   constexpr std::array<vec3, 4> kTips = {{{0.64f, 1.04f, -0.44f},

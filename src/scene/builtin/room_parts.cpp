@@ -146,4 +146,46 @@ void add_skirting(Scene& scene, const Room& room, const Skirting& skirting) {
   add_mesh(scene, builder.finish("skirting"));
 }
 
+int32_t add_spot_lamp(Scene& scene, const SpotLamp& lamp) {
+  // The lens glows a little over white; all the light is the spot's, which stands before it.
+  constexpr float kRadius = 0.075f, kLength = 0.22f, kBevel = 0.008f;
+  const int32_t node = add_node(scene, lamp.name, lamp.from, look_along(lamp.to - lamp.from));
+  const int32_t lens = add_material(scene, lamp.name + " lens", glm::vec3(0.8f));
+  const float distance = glm::distance(lamp.from, lamp.to);
+  scene.materials[lens].emission =
+      lamp.color * (2.0f * lamp.intensity_cd / (kPi * distance * distance));
+  const Tessellation tessellation{0.05f};
+  MeshBuilder builder;
+  // A lathe stands upright: lay it down, its top to the back (+z).
+  builder.set_transform({{1, 0, 0, 0}, {0, 0, 1, 0}, {0, -1, 0, 0}, {0, 0, 0.02f, 1}});
+  builder.set_material(lamp.case_material);
+  Profile can({0, 0.03f}, tessellation);
+  can.line_to({kRadius - 2 * kBevel, 0.03f})
+      .line_to({kRadius - 2 * kBevel, kBevel})
+      .arc_to({kRadius, kBevel}, kPi, 4)
+      .line_to({kRadius, kLength - 0.04f})
+      .arc_to({kRadius - 0.04f, kLength}, kPi / 2, 4)
+      .line_to({0, kLength});
+  add_lathe(builder, can, 32);
+  builder.set_material(lens);
+  Profile disc({0, 0.012f}, tessellation);
+  disc.line_to({kRadius - 2.5f * kBevel, 0.012f})
+      .line_to({kRadius - 2.5f * kBevel, 0.026f})
+      .line_to({0, 0.026f});
+  add_lathe(builder, disc, 32);
+  scene.meshes.push_back(builder.finish(lamp.name + " can"));
+  add_instance(scene, int32_t(scene.meshes.size()) - 1, node);
+
+  Light light;
+  light.name = lamp.name;
+  light.kind = LightKind::spot;
+  light.node = node;
+  light.color = lamp.color;
+  light.intensity = lamp.intensity_cd;
+  light.outer_cone_rad = lamp.outer_cone_rad;
+  light.inner_cone_rad = lamp.inner_cone_rad;
+  scene.lights.push_back(light);
+  return node;
+}
+
 }  // namespace lueur::builtin

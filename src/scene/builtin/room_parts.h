@@ -49,6 +49,19 @@ struct Skirting {
 };
 void add_skirting(Scene& scene, const Room& room, const Skirting& skirting);
 
+// A can that throws a spot of light from `from` towards `to`: a case behind a glowing lens.
+struct SpotLamp {
+  std::string name;
+  glm::vec3 from, to;
+  glm::vec3 color{1.0f};
+  float intensity_cd = 10'000.0f;
+  float outer_cone_rad = 0.5f;
+  float inner_cone_rad = 0.4f;
+  int32_t case_material = kNone;
+};
+// Returns the lamp's node.
+int32_t add_spot_lamp(Scene& scene, const SpotLamp& lamp);
+
 // A box whose edges and corners are rounded by `bevel_m`.
 void add_rounded_box(MeshBuilder& builder, glm::vec3 min, glm::vec3 max, float bevel_m,
                      const Tessellation& tessellation);

@@ -21,6 +21,9 @@ Scene make_atrium(uint32_t triangles);
 // A spotlight turned at the floor between objects that only the floor's light reaches.
 Scene make_spot_floor();
 
+// A cubic room with a divider, through which a detailed object of 60 000 triangles moves.
+Scene make_divider_room();
+
 // A detailed object that floats and turns in a box under a spotlight; 70 000 triangles of its own.
 Scene make_floating_object();
 
