@@ -126,6 +126,7 @@ void add_bench(CLI::App& program, Outcome& outcome) {
   auto options = std::make_shared<Options>();
   command->add_option("--scene", options->scene, "A scene, see `lueur render` (default atrium)")
       ->type_name("SCENE");
+  add_object_option(*command, options->scene);
   add_technique_options(*command, options->technique);
   command->add_option("--techniques", options->techniques, "Several techniques, timed in turn")
       ->type_name("LIST")

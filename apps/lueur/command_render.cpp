@@ -75,6 +75,8 @@ Outcome run(const Options& options) {
 constexpr char kFooter[] =
     "SCENE is the name of a built-in scene (lueur scene list), with parameters as in\n"
     "atrium:triangles=250000, or a glTF file: a path that ends in .gltf or .glb, or exists.\n"
+    "--object FILE puts a glTF mesh in the place of the detailed object of divider-room or\n"
+    "floating-object, scaled to fit its box.\n"
     "\n"
     "PNG holds the picture as a display shows it. EXR holds scene-referred light, the main\n"
     "picture and a layer each for direct, indirect, off_screen, albedo, normal (world space),\n"
@@ -91,6 +93,7 @@ constexpr char kFooter[] =
     "\n"
     "Examples:\n"
     "  lueur render cornell -o cornell.png\n"
+    "  lueur render divider-room --object figure.glb -o figure.png\n"
     "  lueur render room.glb --technique none --exposure auto -o direct.png -o direct.exr\n"
     "  lueur render atrium --set samples=32 --set start=full --json -o atrium.png\n"
     "  lueur render cornell --list-views\n"

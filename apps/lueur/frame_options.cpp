@@ -32,8 +32,20 @@ void add_technique_options(CLI::App& command, TechniqueOptions& options) {
       ->allow_extra_args(false);
 }
 
+void add_object_option(CLI::App& command, std::string& scene) {
+  command
+      .add_option_function<std::string>(
+          "--object",
+          [&scene](const std::string& file) {
+            scene += (scene.find(':') == std::string::npos ? ":object=" : ",object=") + file;
+          },
+          "A mesh in place of a built-in scene's detailed object")
+      ->type_name("FILE");
+}
+
 void add_scene_argument(CLI::App& command, std::string& scene) {
   command.add_option("SCENE", scene, "A built-in scene or a glTF file")->type_name("")->required();
+  add_object_option(command, scene);
 }
 
 Result<FrameSetup> check(const FrameOptions& options) {

@@ -35,7 +35,11 @@ void add_frame_options(CLI::App& command, FrameOptions& options);
 // --technique, --set; choose_technique() checks them.
 void add_technique_options(CLI::App& command, TechniqueOptions& options);
 
-// The positional argument SCENE, which is required.
+// --object, which writes its file into `scene` as that parameter of a built-in scene. To be added
+// after the option that fills `scene`.
+void add_object_option(CLI::App& command, std::string& scene);
+
+// The positional argument SCENE, which is required, and --object.
 void add_scene_argument(CLI::App& command, std::string& scene);
 
 struct FrameSetup {

@@ -33,8 +33,19 @@ bool looks_like_file(const std::string& spec) {
   return ending == ".gltf" || ending == ".glb" || std::filesystem::exists(spec, error);
 }
 
+// That --object was given with something that has no object to give way to it.
+Error no_object(const std::string& scene) {
+  std::vector<std::string> names;
+  for (const BuiltinScene& builtin : builtin_scenes())
+    if (builtin.has_object) names.emplace_back(builtin.name);
+  return {ErrorKind::usage,
+          "scene '" + scene + "': --object needs a built-in scene that has one: " + joined(names)};
+}
+
 Result<Scene> make_scene(const std::string& spec) {
   if (is_builtin(spec)) return make_builtin_scene(spec);
+  if (const size_t object = spec.find(":object="); object != std::string::npos)
+    return no_object(spec.substr(0, object));
   if (looks_like_file(spec)) {
     LUEUR_TRY(scene, load_gltf(spec));
     complete(scene);

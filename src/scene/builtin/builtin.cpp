@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "base/try.h"
+#include "scene/builtin/detailed_object.h"
 #include "scene/builtin/scenes.h"
+#include "scene/gltf_load.h"
 
 namespace lueur {
 namespace {
@@ -49,9 +51,9 @@ constexpr auto kScenes = std::to_array<BuiltinScene>({
     {"spot-floor", "objects lit only by a spotlight's disc on the floor",
      make_fixed<builtin::make_spot_floor>},
     {"divider-room", "a dragon of 60 000 triangles on its way around a divider in a coloured room",
-     make_fixed<builtin::make_divider_room>},
+     make_fixed<builtin::make_divider_room>, true},
     {"floating-object", "a dragon of 70 000 triangles afloat in a box under a spotlight",
-     make_fixed<builtin::make_floating_object>},
+     make_fixed<builtin::make_floating_object>, true},
 });
 
 std::string scene_names() {
@@ -63,22 +65,47 @@ std::string scene_names() {
   return names;
 }
 
-// Reads `triangles=N`.
+std::string scenes_with_object() {
+  std::string names;
+  for (const BuiltinScene& scene : kScenes)
+    if (scene.has_object) names += (names.empty() ? "" : ", ") + std::string(scene.name);
+  return names;
+}
+
+// Reads `triangles=N`, `object=FILE` or both, in this order.
 Result<SceneParameters> parse_parameters(std::string_view spec, std::string_view text) {
   const std::string where = "built-in scene '" + std::string(spec) + "': ";
-  constexpr std::string_view kTriangles = "triangles=";
-  if (!text.starts_with(kTriangles))
-    return usage(where + "unknown parameter '" + std::string(text) +
-                 "'; the only one is triangles=N");
-  const std::string_view digits = text.substr(kTriangles.size());
-  uint32_t value = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (error != std::errc() || end != digits.data() + digits.size())
-    return usage(where + "triangles must be a whole number from " + atrium_range() + ", not '" +
-                 std::string(digits) + "'");
+  constexpr std::string_view kTriangles = "triangles=", kObject = "object=";
   SceneParameters parameters;
-  parameters.triangles = value;
+  if (text.starts_with(kTriangles)) {
+    const std::string_view digits =
+        text.substr(kTriangles.size(), text.find(',') - kTriangles.size());
+    uint32_t value = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (error != std::errc() || end != digits.data() + digits.size())
+      return usage(where + "triangles must be a whole number from " + atrium_range() + ", not '" +
+                   std::string(digits) + "'");
+    parameters.triangles = value;
+    text.remove_prefix(kTriangles.size() + digits.size());
+    if (text.empty()) return parameters;
+    text.remove_prefix(1);
+  }
+  if (!text.starts_with(kObject))
+    return usage(where + "unknown parameter '" + std::string(text) +
+                 "'; there are triangles=N and object=FILE");
+  parameters.object = text.substr(kObject.size());
   return parameters;
+}
+
+// Makes the scene with the mesh in `path` in the place of its own object.
+Result<Scene> make_with_object(const BuiltinScene& known, SceneParameters parameters) {
+  const std::filesystem::path path = *std::exchange(parameters.object, std::nullopt);
+  LUEUR_TRY(object, load_gltf(path));
+  LUEUR_TRY(scene, known.make(parameters));
+  if (!builtin::replace_detailed_object(scene, std::move(object)))
+    return Error{ErrorKind::input, "object '" + path.string() +
+                                       "': draws no triangles that have a size; give a mesh"};
+  return std::move(scene);
 }
 
 }  // namespace
@@ -88,8 +115,14 @@ std::span<const BuiltinScene> builtin_scenes() {
 }
 
 Result<Scene> make_builtin_scene(std::string_view name, const SceneParameters& parameters) {
-  for (const BuiltinScene& scene : kScenes)
-    if (scene.name == name) return scene.make(parameters);
+  for (const BuiltinScene& known : kScenes) {
+    if (known.name != name) continue;
+    if (parameters.object && !known.has_object)
+      return usage("built-in scene '" + std::string(name) +
+                   "' has no object that another can take the place of; these have: " +
+                   scenes_with_object());
+    return parameters.object ? make_with_object(known, parameters) : known.make(parameters);
+  }
   return usage("no built-in scene is called '" + std::string(name) + "'; there are " +
                scene_names());
 }

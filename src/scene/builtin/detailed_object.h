@@ -19,9 +19,10 @@ void add_detailed_object(Scene& scene, const DetailedObject& object, int32_t par
 // Whether `scene` has such an object.
 bool has_detailed_object(const Scene& scene);
 
-// Puts all that `other` draws at its start in the object's place: scaled as a whole to fit the
-// object's box, upright on the same floor in the middle. Materials and textures come along; lights,
-// cameras, animation and what `other` says of its exposure do not.
-void replace_detailed_object(Scene& scene, const Scene& other);
+// Puts all that `other` draws, at rest, in the object's place: scaled as a whole to fit the
+// object's box, upright on the same floor in the middle. Materials, textures and warnings come
+// along; lights, cameras and animation do not. False, and nothing changes, if `other` draws nothing
+// that has a size.
+bool replace_detailed_object(Scene& scene, Scene other);
 
 }  // namespace lueur::builtin
