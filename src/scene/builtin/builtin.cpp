@@ -47,13 +47,23 @@ Result<Scene> make_atrium_checked(const SceneParameters& parameters) {
 constexpr auto kScenes = std::to_array<BuiltinScene>({
     {"atrium", "colonnaded courtyard in the sun with coloured drapes (triangles=10000…1000000)",
      make_atrium_checked},
+    {"basket", "a basket lit on the side that the camera does not see, before a wall",
+     make_fixed<builtin::make_basket>},
     {"cornell", "the measured Cornell box, ten times its size", make_fixed<builtin::make_cornell>},
-    {"spot-floor", "objects lit only by a spotlight's disc on the floor",
-     make_fixed<builtin::make_spot_floor>},
     {"divider-room", "a dragon of 60 000 triangles on its way around a divider in a coloured room",
      make_fixed<builtin::make_divider_room>, true},
+    {"dominoes", "coloured dominoes toppling over a polished floor (1400 triangles)",
+     make_fixed<builtin::make_dominoes>},
     {"floating-object", "a dragon of 70 000 triangles afloat in a box under a spotlight",
      make_fixed<builtin::make_floating_object>, true},
+    {"graveyard", "tombstones, crypt and bare trees by moonlight (120000 triangles)",
+     make_fixed<builtin::make_graveyard>},
+    {"spot-floor", "objects lit only by a spotlight's disc on the floor",
+     make_fixed<builtin::make_spot_floor>},
+    {"still-life", "vessels, fruit and a skull, lit also by letters out of view (200000 triangles)",
+     make_fixed<builtin::make_still_life>},
+    {"table", "a table and its soft shadow in the light of a sunlit wall",
+     make_fixed<builtin::make_table>},
 });
 
 std::string scene_names() {

@@ -245,8 +245,9 @@ TEST_P(EveryBuiltin, LightsReachSomething) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Builtin, EveryBuiltin,
-                         testing::Values("atrium", "atrium:triangles=10000", "cornell",
-                                         "spot-floor", "divider-room", "floating-object"),
+                         testing::Values("atrium", "atrium:triangles=10000", "basket", "cornell",
+                                         "divider-room", "dominoes", "floating-object", "graveyard",
+                                         "spot-floor", "still-life"),
                          [](const auto& instance) {
                            std::string name;
                            for (const char c : instance.param) name += std::isalnum(c) ? c : '_';
@@ -333,6 +334,36 @@ TEST(Cornell, PanelGlowsWithATwentiethOfTheLampsFlux) {
     flux += 2 * 3.14159265358979 * light.intensity * falloff * falloff * (1 - c0) / rings;
   }
   EXPECT_NEAR(flux, 20 * 3.14159265358979 * panel->emission.x * 1.30 * 1.05, 1e-3 * flux);
+}
+
+TEST(Dominoes, HasFewTriangles) {
+  EXPECT_NEAR(double(triangle_count(make("dominoes"))), 1'400, 140);
+}
+
+TEST(Dominoes, StonesNeverRunIntoEachOther) {
+  // While stones fall, no corner of one gets into the body of the next. They stand on a bend, so
+  // that a leaning stone's edges reach a little further than the row's own line: 2 cm are allowed.
+  const Scene scene = make("dominoes");
+  std::vector<MeshInstance> stones;
+  for (const MeshInstance& instance : scene.instances)
+    if (scene.meshes[instance.mesh].name.starts_with("stone")) stones.push_back(instance);
+  ASSERT_EQ(stones.size(), 28u);
+  for (float time_s = 0.0f; time_s < 10.0f; time_s += 0.37f) {
+    const std::vector<glm::mat4> world = pose(scene, time_s);
+    for (size_t k = 0; k + 1 < stones.size(); ++k) {
+      const glm::mat4 next_from_this =
+          glm::inverse(world[stones[k + 1].node]) * world[stones[k].node];
+      for (const Vertex& v : scene.meshes[stones[k].mesh].vertices) {
+        const glm::vec3 p = next_from_this * glm::vec4(v.position, 1);
+        const float inside = std::min({0.25f - std::abs(p.x), p.y, 1.0f - p.y, p.z + 0.17f, -p.z});
+        EXPECT_LT(inside, 0.02f) << k << " at " << time_s << " s";
+      }
+    }
+  }
+}
+
+TEST(Graveyard, HasAsManyTrianglesAsItsPaperSays) {
+  EXPECT_NEAR(double(triangle_count(make("graveyard"))), 120'000, 12'000);
 }
 
 TEST(SpotFloor, LightsNothingButTheFloor) {
@@ -422,8 +453,8 @@ TEST_P(SceneObject, GivesWayToAnother) {
   // Its material and textures came along.
   const Material& material = after.materials[mesh.primitives.at(0).material];
   EXPECT_EQ(material.name, "brick red");
-  ASSERT_LT(size_t(material.base_color_texture), after.textures.size());
-  EXPECT_EQ(after.textures[material.base_color_texture].width, 16u);
+  ASSERT_LT(size_t(material.base_color_texture.texture), after.textures.size());
+  EXPECT_EQ(after.textures[material.base_color_texture.texture].width, 16u);
 
   // It goes where the object went.
   const Bounds later = mesh_bounds(after, brick, 3.0f);
@@ -468,10 +499,102 @@ TEST(SceneObjects, RefuseFilesThatDrawNothing) {
   }
 }
 
+TEST(Basket, ShowsItsLitSideToTheSideCameraOnly) {
+  // What the hidden lamp's rays meet first is in plain view of `side`, and never of `front`.
+  const Scene& scene = make("basket");
+  ASSERT_EQ(scene.cameras.size(), 2u);
+  ASSERT_EQ(scene.cameras[1].name, "side");
+  const Light& lamp = scene.lights[0];
+  int seen = 0, count = 0;
+  for (const float time_s : {0.0f, 2.5f, 7.5f}) {
+    const std::vector<glm::mat4> world = pose(scene, time_s);
+    const glm::vec3 from = world[lamp.node][3];
+    for (int k = 0; k < 24; ++k) {
+      const float turn = 2.399963f * float(k);
+      const float reach = std::tan(lamp.outer_cone_rad) * std::sqrt((float(k) + 0.5f) / 24.0f);
+      const glm::vec3 direction =
+          glm::normalize(glm::mat3(world[lamp.node]) *
+                         glm::vec3(reach * std::cos(turn), reach * std::sin(turn), -1.0f));
+      const float distance = ray_distance(scene, world, from, direction);
+      ASSERT_LT(distance, 1.4f) << k;  // the basket or its leaves, not the room beyond
+      const glm::vec3 lit = from + direction * (distance - 1e-3f);
+      const auto sees = [&](const Camera& camera) {
+        const glm::vec3 way = lit - glm::vec3(world[camera.node][3]);
+        return ray_distance(scene, world, world[camera.node][3], glm::normalize(way)) >
+               glm::length(way) - 5e-3f;
+      };
+      EXPECT_FALSE(sees(scene.cameras[0])) << k << " at " << time_s << " s";
+      seen += sees(scene.cameras[1]);
+      ++count;
+    }
+  }
+  EXPECT_GT(seen, count / 2);  // the far half of a round side turns away from it
+}
+
+TEST(StillLife, HasAsManyTrianglesAsItsPaperSays) {
+  EXPECT_NEAR(double(triangle_count(make("still-life"))), 202'000, 20'200);
+}
+
+TEST(StillLife, SkullIsHollowAndOpenOnlyWhereItShouldBe) {
+  // From the middle of the head, both eyes look out; bone bars every way up, back and sideways.
+  const Scene scene = make("still-life");
+  const std::vector<glm::mat4> world = pose(scene, 0.0f);
+  Scene alone = scene;
+  std::erase_if(alone.instances, [&](const MeshInstance& instance) {
+    return scene.meshes[instance.mesh].name != "skull";
+  });
+  ASSERT_EQ(alone.instances.size(), 1u);
+  const glm::mat4 world_from_skull = world[alone.instances[0].node];
+  const auto way_out = [&](glm::vec3 from, glm::vec3 to) {
+    const glm::vec3 a = world_from_skull * glm::vec4(from, 1);
+    const glm::vec3 b = world_from_skull * glm::vec4(to, 1);
+    return !std::isfinite(ray_distance(alone, world, a, glm::normalize(b - a)));
+  };
+  for (const float side : {-1.0f, 1.0f})
+    EXPECT_TRUE(way_out({0.2f * side, 0.88f, 0.2f}, {0.29f * side, 0.82f, 1.0f})) << side;
+  const glm::vec3 middle{0, 1.1f, -0.2f};
+  for (int k = 0; k < 64; ++k) {
+    const float turn = 2.4f * float(k), height = 1.0f - float(k) / 64.0f;  // the upper half
+    const float r = std::sqrt(1.0f - height * height);
+    EXPECT_FALSE(
+        way_out(middle, middle + glm::vec3(r * std::cos(turn), height, r * std::sin(turn))))
+        << k;
+  }
+}
+
+TEST(StillLife, FirstCameraSeesNoLetter) {
+  // No corner of a letter comes into a picture of up to 16:9, at any time.
+  const Scene scene = make("still-life");
+  for (float time_s = 0.0f; time_s < 10.0f; time_s += 0.5f) {
+    const std::vector<glm::mat4> world = pose(scene, time_s);
+    const Camera& camera = scene.cameras[0];
+    const glm::mat4 view_from_world = glm::inverse(world_from_camera(world[camera.node]));
+    const float half_height = std::tan(0.5f * camera.vertical_fov_rad);
+    size_t corners = 0;
+    for (const MeshInstance& instance : scene.instances) {
+      const Mesh& mesh = scene.meshes[instance.mesh];
+      if (mesh.name.find("letter") == std::string::npos) continue;
+      for (const Vertex& v : mesh.vertices) {
+        const glm::vec3 p = view_from_world * world[instance.node] * glm::vec4(v.position, 1);
+        ++corners;
+        if (p.z >= 0.0f) continue;
+        const glm::vec2 at = glm::vec2(p) / (-p.z * half_height);
+        EXPECT_TRUE(std::abs(at.y) > 1.0f || std::abs(at.x) > 16.0f / 9.0f)
+            << mesh.name << " at " << time_s << " s";
+      }
+    }
+    EXPECT_GT(corners, 1'000u);
+  }
+}
+
 TEST(BuiltinSpec, NamesWhatIsValid) {
   const std::map<std::string, std::string> expected = {
-      {"sponza", "atrium, cornell, spot-floor, divider-room, floating-object"},
-      {"", "atrium, cornell, spot-floor, divider-room, floating-object"},
+      {"sponza",
+       "atrium, basket, cornell, divider-room, dominoes, floating-object, graveyard, spot-floor, "
+       "still-life, table"},
+      {"",
+       "atrium, basket, cornell, divider-room, dominoes, floating-object, graveyard, spot-floor, "
+       "still-life, table"},
       {"atrium:size=3", "triangles=N and object=FILE"},
       {"cornell:object=a.glb", "these have: divider-room, floating-object"},
       {"atrium:triangles=20000,object=a.glb", "'atrium' has no object"},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "base/check.h"
 #include "scene/builtin/shapes.h"
@@ -68,6 +69,40 @@ void add_closed_tube(MeshBuilder& builder, const std::function<glm::vec3(float t
                         normal,
                         {along_m[i], -2 * kPi * radius_m * float(j) / float(cells_around)}};
   });
+}
+
+void add_tapered_tube(MeshBuilder& builder, const std::vector<glm::vec3>& points,
+                      const std::vector<float>& radius_m, int cells_around) {
+  const int rings = int(points.size()) - 1;
+  LUEUR_CHECK_OP(rings, >, 0);
+  LUEUR_CHECK_OP(radius_m.size(), >=, size_t(rings));
+
+  // Carry a frame along the points that turns no more than they do.
+  std::vector<glm::vec3> along, axis_a, axis_b;
+  std::vector<float> along_m{0.0f};
+  for (int k = 0; k <= rings; ++k) {
+    along.push_back(glm::normalize(points[std::min(k + 1, rings)] - points[std::max(k - 1, 0)]));
+    const glm::vec3 before =
+        k > 0 ? axis_a.back()
+              : (std::abs(along[0].y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0));
+    axis_a.push_back(glm::normalize(before - along[k] * glm::dot(before, along[k])));
+    axis_b.push_back(glm::cross(along[k], axis_a[k]));
+    if (k > 0) along_m.push_back(along_m.back() + glm::distance(points[k - 1], points[k]));
+  }
+  const auto outwards = [&](int i, int k) {
+    const glm::vec2 c = unit_circle_point(i, cells_around);
+    return axis_a[k] * c.x + axis_b[k] * c.y;
+  };
+  const auto rim = [&](int i, int k) { return points[k] + outwards(i, k) * radius_m[k]; };
+  builder.add_grid(cells_around, rings,
+                   [&](int i, int k) {
+                     const float u = 2 * kPi * radius_m[0] * float(i) / float(cells_around);
+                     if (k == rings) return SurfacePoint{points[k], along[k], {u, -along_m[k]}};
+                     return SurfacePoint{rim(i, k), outwards(i, k), {u, -along_m[k]}};
+                   },
+                   {false, true});
+  builder.add_fan(
+      points[0], cells_around, [&](int i) { return rim(cells_around - i, 0); }, -along[0]);
 }
 
 void add_cloth(MeshBuilder& builder, const std::function<glm::vec3(float u, float v)>& middle,

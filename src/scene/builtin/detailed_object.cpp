@@ -12,6 +12,7 @@
 #include "scene/builtin/dragon.h"
 #include "scene/builtin/room_parts.h"
 #include "scene/builtin/scene_builder.h"
+#include "scene/deform.h"
 
 namespace lueur::builtin {
 namespace {
@@ -42,9 +43,9 @@ void append(Scene& scene, Scene other, int32_t parent) {
   const size_t meshes = scene.meshes.size(), nodes = scene.nodes.size();
   for (Texture& texture : other.textures) scene.textures.push_back(std::move(texture));
   for (Material& material : other.materials) {
-    for (int32_t* texture : {&material.base_color_texture, &material.metallic_roughness_texture,
-                             &material.normal_texture, &material.emission_texture})
-      moved(*texture, textures);
+    for (TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
+                            &material.normal_texture, &material.emission_texture})
+      moved(use->texture, textures);
     scene.materials.push_back(std::move(material));
   }
   for (Mesh& mesh : other.meshes) {
@@ -92,8 +93,10 @@ bool replace_detailed_object(Scene& scene, Scene other) {
     const glm::vec3 p = stand.translation + stand.rotation * (stand.scale * v.position);
     box = {glm::min(box.min, p), glm::max(box.max, p)};
   }
+  // Take it as it is at rest.
+  other = with_deformed_meshes(std::move(other), 0.0f);
   other.animation.clear();
-  const Bounds others = bounds(other, pose(other, 0.0f));
+  const Bounds others = bounds_at(other, 0.0f);
   const glm::vec3 share = (box.max - box.min) / (others.max - others.min);
   const float scale = std::min({share.x, share.y, share.z});
   if (!std::isfinite(scale) || scale <= 0.0f) return false;

@@ -35,6 +35,11 @@ Pattern masonry_pattern();    // four courses of two blocks each, staggered
 Pattern limestone_pattern();  // plain stone with soft clouds
 Pattern cloth_pattern();      // plain weave, near white: coloured by the material
 Pattern wood_pattern();       // six upright planks
+Pattern old_stone_pattern();  // grey, streaked by rain, with spots of lichen
+Pattern clay_pattern();       // fired clay, mottled: for bricks that are solids themselves
+Pattern earth_pattern();      // soil with moss and fallen leaves
+Pattern bark_pattern();       // furrowed, upright
+Pattern terrazzo_pattern();   // chips of pale and coloured stone in cement, polished flat
 
 // Adds both textures of `pattern` to `scene` and binds them to `material`.
 void bind_pattern(Scene& scene, int32_t material, const std::string& name, uint32_t size,

@@ -146,6 +146,34 @@ void add_skirting(Scene& scene, const Room& room, const Skirting& skirting) {
   add_mesh(scene, builder.finish("skirting"));
 }
 
+void add_pierced_slab(MeshBuilder& builder, const Box& slab, const std::vector<Box>& holes,
+                      const Tessellation& tessellation) {
+  // Cut along all sides of all holes, and leave out the blocks that lie in one.
+  std::vector<float> cuts[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    cuts[axis] = {slab.min[axis], slab.max[axis]};
+    for (const Box& hole : holes)
+      for (const float cut : {hole.min[axis], hole.max[axis]})
+        if (cut > slab.min[axis] && cut < slab.max[axis]) cuts[axis].push_back(cut);
+    std::sort(cuts[axis].begin(), cuts[axis].end());
+    cuts[axis].erase(std::unique(cuts[axis].begin(), cuts[axis].end()), cuts[axis].end());
+  }
+  for (size_t x = 0; x + 1 < cuts[0].size(); ++x) {
+    for (size_t y = 0; y + 1 < cuts[1].size(); ++y) {
+      for (size_t z = 0; z + 1 < cuts[2].size(); ++z) {
+        const glm::vec3 min(cuts[0][x], cuts[1][y], cuts[2][z]);
+        const glm::vec3 max(cuts[0][x + 1], cuts[1][y + 1], cuts[2][z + 1]);
+        const glm::vec3 middle = 0.5f * (min + max);
+        const bool open = std::any_of(holes.begin(), holes.end(), [&](const Box& hole) {
+          return glm::all(glm::lessThan(hole.min, middle)) &&
+                 glm::all(glm::lessThan(middle, hole.max));
+        });
+        if (!open) add_box(builder, min, max, tessellation);
+      }
+    }
+  }
+}
+
 int32_t add_spot_lamp(Scene& scene, const SpotLamp& lamp) {
   // The lens glows a little over white; all the light is the spot's, which stands before it.
   constexpr float kRadius = 0.075f, kLength = 0.22f, kBevel = 0.008f;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "scene/builtin/mesh_builder.h"
 #include "scene/builtin/procedural_texture.h"
@@ -61,6 +62,13 @@ struct SpotLamp {
 };
 // Returns the lamp's node.
 int32_t add_spot_lamp(Scene& scene, const SpotLamp& lamp);
+
+// A slab with openings in it: `holes` are boxes that reach through it. Made of blocks side by side.
+struct Box {
+  glm::vec3 min, max;
+};
+void add_pierced_slab(MeshBuilder& builder, const Box& slab, const std::vector<Box>& holes,
+                      const Tessellation& tessellation);
 
 // A box whose edges and corners are rounded by `bevel_m`.
 void add_rounded_box(MeshBuilder& builder, glm::vec3 min, glm::vec3 max, float bevel_m,

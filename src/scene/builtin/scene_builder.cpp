@@ -59,6 +59,21 @@ int32_t add_camera(Scene& scene, std::string name, glm::vec3 eye, glm::vec3 targ
   return node;
 }
 
+int32_t add_spot_light(Scene& scene, std::string name, glm::vec3 from, glm::vec3 to,
+                       glm::vec3 color, float lux, float outer_cone_rad) {
+  Light spot;
+  spot.kind = LightKind::spot;
+  spot.node = add_node(scene, name, from, look_along(to - from));
+  spot.name = std::move(name);
+  spot.color = color;
+  spot.intensity = lux * glm::dot(to - from, to - from);
+  spot.inner_cone_rad = 0.5f * outer_cone_rad;
+  spot.outer_cone_rad = outer_cone_rad;
+  const int32_t node = spot.node;
+  scene.lights.push_back(std::move(spot));
+  return node;
+}
+
 void animate_translation(Scene& scene, int32_t node, int keys,
                          const std::function<glm::vec3(float phase)>& translation) {
   AnimationChannel channel;

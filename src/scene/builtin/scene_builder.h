@@ -30,6 +30,11 @@ void add_instance(Scene& scene, int32_t mesh, int32_t node);
 int32_t add_camera(Scene& scene, std::string name, glm::vec3 eye, glm::vec3 target,
                    float vertical_fov_rad);
 
+// A spotlight at `from` that gives `lux` on a surface at `to` that faces it; it fades from half its
+// cone outwards. Returns its node.
+int32_t add_spot_light(Scene& scene, std::string name, glm::vec3 from, glm::vec3 to,
+                       glm::vec3 color, float lux, float outer_cone_rad);
+
 // Key frames every 1/`keys` of the loop, the last equal to the first.
 void animate_translation(Scene& scene, int32_t node, int keys,
                          const std::function<glm::vec3(float phase)>& translation);

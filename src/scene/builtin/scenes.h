@@ -18,13 +18,29 @@ inline constexpr uint32_t kMaxAtriumTriangles = 1'000'000;
 inline constexpr uint32_t kDefaultAtriumTriangles = 100'000;
 Scene make_atrium(uint32_t triangles);
 
+// A row of coloured dominoes that topples over a polished floor; few, large triangles.
+Scene make_dominoes();
+
+// A graveyard by moon and lantern: about 120 000 triangles of small relief.
+Scene make_graveyard();
+
 // A spotlight turned at the floor between objects that only the floor's light reaches.
 Scene make_spot_floor();
+
+// A basket whose lit side only the camera `side` sees; it lights the wall behind.
+Scene make_basket();
 
 // A cubic room with a divider, through which a detailed object of 60 000 triangles moves.
 Scene make_divider_room();
 
 // A detailed object that floats and turns in a box under a spotlight; 70 000 triangles of its own.
 Scene make_floating_object();
+
+// A laid table in a room lit by one patch of sun on the wall.
+Scene make_table();
+
+// Glossy and diffuse things on a cloth, with a hollow skull, and letters that the camera does not
+// see: about 200 000 triangles.
+Scene make_still_life();
 
 }  // namespace lueur::builtin

@@ -30,6 +30,14 @@ void add_hexahedron(MeshBuilder& builder, const std::array<glm::vec3, 8>& corner
 void add_box(MeshBuilder& builder, glm::vec3 min, glm::vec3 max, const Tessellation& tessellation,
              unsigned coarse_faces = 0);
 
+// Texture coordinates (metres) of a place on a piece that looks to the unit vector `out`.
+using FaceUv = std::function<glm::vec2(glm::vec3 position, glm::vec3 out)>;
+
+// A box with its edges and corners cut off `bevel_m` deep: 44 triangles. The faces are flat and the
+// normals turn over the bevels, so that they look round.
+void add_bevelled_box(MeshBuilder& builder, glm::vec3 min, glm::vec3 max, float bevel_m,
+                      const FaceUv& uv_m = planar_uv);
+
 // A line in the plane with (x outwards, y upwards): outside is to its right. It is made of pieces
 // that are smooth in themselves and meet at hard edges.
 class Profile {
@@ -59,6 +67,11 @@ class Profile {
 // Turns `profile` around the y axis. Closed if the profile starts and ends at x = 0.
 void add_lathe(MeshBuilder& builder, const Profile& profile, int cells_around);
 
+// A plate of `thickness_m` about the xy plane with this closed outline (counter-clockwise) and
+// round edges of radius `bevel_m`; `center` must see the whole outline.
+void add_plate(MeshBuilder& builder, const Profile& outline, glm::vec2 center, float thickness_m,
+               float bevel_m);
+
 // Where a swept profile's plane lies: its x axis, y axis and origin. The path must run along
 // cross(up, out).
 struct SweepFrame {
@@ -83,6 +96,11 @@ void add_sphere(MeshBuilder& builder, glm::vec3 center, float radius_m, int cell
 // A round tube along the closed curve `curve(t)`, t in [0, 1].
 void add_closed_tube(MeshBuilder& builder, const std::function<glm::vec3(float t)>& curve,
                      float radius_m, int cells_along, int cells_around);
+
+// A round rod through `points` that is `radius_m[k]` thick at each but the last, where it ends in a
+// point; its other end is flat.
+void add_tapered_tube(MeshBuilder& builder, const std::vector<glm::vec3>& points,
+                      const std::vector<float>& radius_m, int cells_around);
 
 // A sheet of cloth: `middle(u, v)` is its middle surface, u to the right and v down as seen from
 // its front; `size_m` its size in metres.
