@@ -87,6 +87,20 @@ Json materials_json(const Scene& scene) {
   return list;
 }
 
+// What the scene's vertices, indices and texels take in memory.
+uint64_t data_bytes(const Scene& scene) {
+  uint64_t bytes = 0;
+  for (const Texture& texture : scene.textures) bytes += texture.rgba.size();
+  for (const Mesh& mesh : scene.meshes) {
+    bytes += mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(uint32_t) +
+             mesh.influences.size() * sizeof(JointInfluence);
+    for (const MorphTarget& target : mesh.morph_targets)
+      bytes += (target.positions.size() + target.normals.size() + target.tangents.size()) *
+               sizeof(glm::vec3);
+  }
+  return bytes;
+}
+
 Json info_json(const std::string& spec, const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   const Bounds box = bounds_at(scene, 0.0f);
@@ -99,6 +113,7 @@ Json info_json(const std::string& spec, const LoadedScene& loaded) {
                {"meshes", scene.meshes.size()},
                {"instances", scene.instances.size()},
                {"nodes", scene.nodes.size()},
+               {"data_bytes", data_bytes(scene)},
                {"bounds_m", {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}}},
                {"animation_s", as_printed(animation_length_s(scene))},
                {"cameras", cameras_json(scene)},
@@ -120,6 +135,7 @@ std::string info_text(const Json& info) {
     out << key << ": " << text(info[key]) << "\n";
   out << "bounds: " << text(info["bounds_m"]["min"]) << " to " << text(info["bounds_m"]["max"])
       << " m\n";
+  out << "data: " << text(info["data_bytes"]) << " bytes\n";
   out << "animation: " << text(info["animation_s"]) << " s\n";
   if (info.contains("exposure_ev")) out << "exposure: " << text(info["exposure_ev"]) << " EV\n";
   for (const auto& camera : info["cameras"])

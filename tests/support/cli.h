@@ -4,6 +4,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -21,7 +22,8 @@ namespace fs = std::filesystem;
 using Arguments = std::vector<std::string>;
 
 struct Ended {
-  int code = -1;  // -1: by a signal
+  int code = -1;            // -1: by a signal
+  uint64_t peak_bytes = 0;  // of memory that it held at once
   std::string out;
   std::string err;
 };
@@ -91,8 +93,10 @@ class Cli : public testing::Test {
   }
   Ended end(pid_t child, const std::string& out = "stdout") const {
     int status = 0;
-    ::waitpid(child, &status, 0);
+    rusage usage{};
+    ::wait4(child, &status, 0, &usage);
     Ended ended;
+    ended.peak_bytes = static_cast<uint64_t>(usage.ru_maxrss) * 1024;
     ended.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
     if (out == "stdout") ended.out = text_of(folder_ / "stdout");
     ended.err = text_of(folder_ / "stderr");
