@@ -43,6 +43,7 @@ struct CandidateRequest {
   std::string scene;
   Extent size;
   ChosenTechnique technique;
+  EnvironmentChoice environment;  // the same for all requests of one scene
 };
 
 // Loads each scene once, says its warnings, and measures each candidate's memory, for which it

@@ -58,7 +58,8 @@ Result<Plan> check(const Options& options) {
   LUEUR_TRY(techniques, chosen_techniques(options));
   for (ChosenTechnique& technique : techniques) {
     plan.techniques.push_back(technique.label);
-    CandidateRequest base{technique.label, options.scene, setup.size, std::move(technique)};
+    CandidateRequest base{technique.label, options.scene, setup.size, std::move(technique),
+                          setup.environment};
     if (!plan.scale) {
       plan.requests.push_back(std::move(base));
       continue;

@@ -34,6 +34,10 @@ std::string command_of(const Options& options) {
   add("--reference", options.references);
   add("--size", options.frame.size);
   if (!options.frame.camera.empty()) add("--camera", options.frame.camera);
+  const EnvironmentOptions& environment = options.frame.environment;
+  if (!environment.file.empty()) add("--env", environment.file);
+  if (!environment.rotation_deg.empty()) add("--env-rotation", environment.rotation_deg);
+  if (!environment.intensity.empty()) add("--env-intensity", environment.intensity);
   add("--spp", options.spp);
   add("--bounces", options.bounces);
   add("--seed", options.frame.seed);

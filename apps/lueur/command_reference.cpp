@@ -64,6 +64,7 @@ Result<ReferenceJob> check(const Options& options) {
   LUEUR_TRY(settings, parse_settings(options));
   job.settings = settings;
   job.settings.seed = frame.seed;
+  job.environment = frame.environment;
   LUEUR_TRY(threads, parse_count("--threads", options.threads, 0, 1024));
   job.threads = threads;
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));

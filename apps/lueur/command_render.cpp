@@ -52,6 +52,7 @@ Result<RenderJob> check(const Options& options) {
   LUEUR_TRY(setup, check(options.frame));
   job.size = setup.size;
   job.seed = setup.seed;
+  job.environment = setup.environment;
   LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
   job.time_s = time_s;
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
@@ -74,8 +75,9 @@ Outcome run(const Options& options) {
 
 constexpr char kFooter[] =
     "SCENE is the name of a built-in scene (lueur scene list), with parameters as in\n"
-    "atrium:triangles=250000, or a glTF file: a path that ends in .gltf or .glb, or exists.\n"
-    "--object FILE puts a glTF mesh in the place of the detailed object of divider-room or\n"
+    "atrium:triangles=250000, or a scene file: a path that ends in .gltf, .glb or .obj, or "
+    "exists.\n"
+    "--object FILE puts a mesh in the place of the detailed object of divider-room or\n"
     "floating-object, scaled to fit its box.\n"
     "\n"
     "PNG holds the picture as a display shows it. EXR holds scene-referred light, the main\n"

@@ -5,6 +5,7 @@
 
 #include "arguments.h"
 #include "base/try.h"
+#include "scene/scene_file.h"
 
 namespace lueur::cli {
 
@@ -14,6 +15,7 @@ void add_view_options(CLI::App& command, FrameOptions& options) {
   command.add_option("--camera", options.camera, "A camera's name or number (default: first)")
       ->type_name("NAME|N");
   command.add_option("--seed", options.seed, "Pattern of samples (default 0)")->type_name("N");
+  add_environment_options(command, options.environment);
 }
 
 void add_frame_options(CLI::App& command, FrameOptions& options) {
@@ -44,14 +46,19 @@ void add_object_option(CLI::App& command, std::string& scene) {
 }
 
 void add_scene_argument(CLI::App& command, std::string& scene) {
-  command.add_option("SCENE", scene, "A built-in scene or a glTF file")->type_name("")->required();
+  command
+      .add_option("SCENE", scene,
+                  "A built-in scene, or a file (" + std::string(kSceneFileEndings) + ")")
+      ->type_name("")
+      ->required();
   add_object_option(command, scene);
 }
 
 Result<FrameSetup> check(const FrameOptions& options) {
   LUEUR_TRY(size, parse_size("--size", options.size));
   LUEUR_TRY(seed, parse_count("--seed", options.seed, 0, UINT32_MAX));
-  return FrameSetup{size, seed};
+  LUEUR_TRY(environment, check(options.environment));
+  return FrameSetup{size, seed, environment};
 }
 
 }  // namespace lueur::cli

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "environment_choice.h"
 #include "lueur/image.h"
 #include "lueur/result.h"
 
@@ -20,6 +21,7 @@ struct FrameOptions {
   std::string size = "1280x720";
   std::string camera;
   std::string seed = "0";
+  EnvironmentOptions environment;
   std::string device;
 };
 struct TechniqueOptions {
@@ -27,7 +29,7 @@ struct TechniqueOptions {
   std::vector<std::string> settings;
 };
 
-// --size, --camera, --seed: what is looked at, also without a device.
+// --size, --camera, --seed, --env and its like: what is looked at, also without a device.
 void add_view_options(CLI::App& command, FrameOptions& options);
 // Those and --device.
 void add_frame_options(CLI::App& command, FrameOptions& options);
@@ -45,6 +47,7 @@ void add_scene_argument(CLI::App& command, std::string& scene);
 struct FrameSetup {
   Extent size;
   uint32_t seed = 0;
+  EnvironmentChoice environment;
 };
 Result<FrameSetup> check(const FrameOptions& options);
 

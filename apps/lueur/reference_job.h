@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "destination.h"
+#include "environment_choice.h"
 #include "image/tone_map.h"
 #include "reference/rendering_file.h"
 
@@ -18,6 +19,7 @@ struct ReferenceJob {
   std::string camera;  // name or number; empty: the first
   reference::Shot shot;
   reference::Settings settings;
+  EnvironmentChoice environment;
   uint32_t threads = 0;
   bool resume = false;
   reference::Cache cache = reference::Cache::use;

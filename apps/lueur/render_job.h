@@ -8,6 +8,7 @@
 #include "arguments.h"
 #include "commands.h"
 #include "destination.h"
+#include "environment_choice.h"
 #include "image/tone_map.h"
 #include "technique_list.h"
 
@@ -19,6 +20,7 @@ struct RenderJob {
   Extent size;
   float time_s = 0;
   uint32_t seed = 0;
+  EnvironmentChoice environment;
   ChosenTechnique technique;
 
   ExposureChoice exposure;

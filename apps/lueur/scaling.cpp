@@ -101,7 +101,8 @@ Result<Scale> parse_scale(const std::string& flag, const std::string& text, Exte
 
 Result<CandidateRequest> at_value(const Scale& scale, const std::string& value,
                                   const CandidateRequest& base) {
-  CandidateRequest request{base.label, base.scene, base.size, copy(base.technique)};
+  CandidateRequest request{base.label, base.scene, base.size, copy(base.technique),
+                           base.environment};
   if (scale.of == "pixels") {
     LUEUR_TRY(size, parse_size(scale.flag, value));
     request.size = size;

@@ -3,27 +3,21 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
 #include <string_view>
 #include <system_error>
 
 #include "arguments.h"
 #include "base/try.h"
-#include "destination.h"
 #include "scene/builtin/builtin.h"
+#include "scene/scene_file.h"
 
 namespace lueur::cli {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view kSceneEndings[] = {".gltf", ".glb"};
-
 bool is_scene_file(const fs::directory_entry& entry) {
   std::error_code error;
-  const auto& endings = kSceneEndings;
-  return std::find(std::begin(endings), std::end(endings), ending_of(entry.path())) !=
-             std::end(endings) &&
-         entry.is_regular_file(error);
+  return has_scene_ending(entry.path()) && entry.is_regular_file(error);
 }
 
 bool is_builtin(const std::string& name) {
@@ -52,10 +46,8 @@ Result<std::vector<SceneSource>> search(const std::string& folder) {
   }
   if (error) return Error{ErrorKind::input, folder + ": cannot be searched: " + error.message()};
   if (paths.empty())
-    return Error{ErrorKind::input,
-                 folder + ": no scene files in it (" +
-                     joined({std::begin(kSceneEndings), std::end(kSceneEndings)}) +
-                     "); name another folder"};
+    return Error{ErrorKind::input, folder + ": no scene files in it (" +
+                                       std::string(kSceneFileEndings) + "); name another folder"};
   std::sort(paths.begin(), paths.end());
   std::vector<SceneSource> sources;
   for (const fs::path& path : paths)

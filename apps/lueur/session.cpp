@@ -11,7 +11,7 @@
 #include "base/try.h"
 #include "scene/builtin/builtin.h"
 #include "scene/framing.h"
-#include "scene/gltf_load.h"
+#include "scene/scene_file.h"
 
 namespace lueur::cli {
 namespace {
@@ -26,11 +26,8 @@ bool is_builtin(const std::string& spec) {
 }
 
 bool looks_like_file(const std::string& spec) {
-  std::string ending = std::filesystem::path(spec).extension().string();
-  for (char& c : ending)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   std::error_code error;
-  return ending == ".gltf" || ending == ".glb" || std::filesystem::exists(spec, error);
+  return has_scene_ending(spec) || std::filesystem::exists(spec, error);
 }
 
 // That --object was given with something that has no object to give way to it.
@@ -42,19 +39,33 @@ Error no_object(const std::string& scene) {
           "scene '" + scene + "': --object needs a built-in scene that has one: " + joined(names)};
 }
 
-Result<Scene> make_scene(const std::string& spec) {
-  if (is_builtin(spec)) return make_builtin_scene(spec);
+Result<void> surround(Scene& scene, const EnvironmentChoice& choice) {
+  if (choice.file.empty()) return {};
+  LUEUR_TRY(environment, load_environment(choice, scene.warnings));
+  scene.environment = std::move(environment);
+  return {};
+}
+
+Result<Scene> make_scene(const std::string& spec, const EnvironmentChoice& environment) {
+  if (is_builtin(spec)) {
+    LUEUR_TRY(scene, make_builtin_scene(spec));
+    LUEUR_TRY_VOID(surround(scene, environment));
+    return std::move(scene);
+  }
   if (const size_t object = spec.find(":object="); object != std::string::npos)
     return no_object(spec.substr(0, object));
   if (looks_like_file(spec)) {
-    LUEUR_TRY(scene, load_gltf(spec));
+    LUEUR_TRY(scene, load_scene_file(spec));
+    // First what shines, as complete() adds a light where nothing does.
+    LUEUR_TRY_VOID(surround(scene, environment));
     complete(scene);
     return std::move(scene);
   }
   std::vector<std::string> names;
   for (const BuiltinScene& scene : builtin_scenes()) names.emplace_back(scene.name);
-  return Error{ErrorKind::usage,
-               "scene '" + spec + "': neither a file (.gltf, .glb) nor one of " + joined(names)};
+  return Error{ErrorKind::usage, "scene '" + spec + "': neither a file (" +
+                                     std::string(kSceneFileEndings) + ") nor one of " +
+                                     joined(names)};
 }
 
 // Each device and driver has a file of its own: a driver ignores what another one has stored.
@@ -96,9 +107,9 @@ Image image_named(const RenderedImages& images, std::string_view name) {
 
 }  // namespace
 
-Result<LoadedScene> load_scene(const std::string& spec) {
+Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment) {
   const auto start = std::chrono::steady_clock::now();
-  LUEUR_TRY(scene, make_scene(spec));
+  LUEUR_TRY(scene, make_scene(spec, environment));
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   return LoadedScene{std::move(scene), taken.count()};
 }

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "environment_choice.h"
 #include "frame/recorder.h"
 #include "gpu/system.h"
 #include "lueur/technique.h"
@@ -20,10 +21,11 @@ struct LoadedScene {
   double load_ms = 0;
 };
 
-// `spec` is the name of a built-in scene, with parameters or without, or a glTF file: a path that
-// ends in .gltf or .glb, or that exists. A built-in name wins over a file of that name. Files get
-// the camera and the light that they lack.
-Result<LoadedScene> load_scene(const std::string& spec);
+// `spec` is the name of a built-in scene, with parameters or without, or a scene file: a path that
+// ends in one of kSceneFileEndings, or that exists. A built-in name wins over a file of that name.
+// Files get the camera and the light that they lack. A chosen environment takes the place of the
+// scene's own.
+Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment = {});
 
 // A camera's number or its name; the first one for "". The error lists the cameras.
 Result<int32_t> find_camera(const Scene& scene, const std::string& text);

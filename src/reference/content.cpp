@@ -116,6 +116,12 @@ Hash hash_of_rigid(const Scene& scene, const Shot& shot, const Settings& setting
   hash.add(std::array{static_cast<uint32_t>(settings.mode), settings.bounces, settings.seed,
                       static_cast<uint32_t>(settings.form_factor)});
   hash.add(settings.ambient_distance_m);
+  // Only where there is one: other scenes keep their names.
+  if (const auto& environment = scene.environment) {
+    hash.add(std::array{environment->width, environment->height});
+    hash.add(std::array{environment->rotation_rad, environment->intensity});
+    hash.add_all(std::span(environment->rgb));
+  }
   return hash;
 }
 

@@ -5,13 +5,10 @@
 #include "shading/brdf.h"
 
 namespace lueur::reference {
-namespace {
 
 void store(ImageF& image, uint32_t x, uint32_t y, const glm::vec3& value) {
   for (uint32_t c = 0; c < 3; ++c) image.at(x, y, c) = value[static_cast<int>(c)];
 }
-
-}  // namespace
 
 std::optional<FirstHit> first_hit(const World& world, const PinholeCamera& camera, uint32_t x,
                                   uint32_t y) {

@@ -19,6 +19,9 @@ struct FirstHit {
 std::optional<FirstHit> first_hit(const World& world, const PinholeCamera& camera, uint32_t x,
                                   uint32_t y);
 
+// Writes a pixel of three channels.
+void store(ImageF& image, uint32_t x, uint32_t y, const glm::vec3& value);
+
 // Layers of a Rendering that need no random numbers. Black and 0 where nothing is.
 struct GBufferLayers {
   ImageF depth, normal, albedo, emission, source, specular;

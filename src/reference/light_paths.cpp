@@ -97,6 +97,28 @@ glm::vec3 LightPaths::emission_found(const Touch& found, const PathVertex& from,
   return std::isfinite(pdf) ? emission * balance(direction.pdf, pdf) : glm::vec3(0.0f);
 }
 
+// Radiance from one direction of the environment, over the density of finding it and weighted
+// against the BRDF's sampling.
+glm::vec3 LightPaths::sky_radiance(const PathVertex& at, glm::vec3& to_light, Sampler& sampler,
+                                   uint64_t& rays) const {
+  const glm::vec2 choice = sampler.next_2d();
+  const EnvironmentLight::Sample light = environment_->sample(choice, sampler.next_2d());
+  to_light = light.to_light;
+  if (!(light.pdf > 0.0f) || !at.faces(to_light) || at.bsdf.cosine(to_light) <= 0.0f)
+    return glm::vec3(0.0f);
+  ++rays;
+  if (world_.rays().is_blocked({World::origin(at.surface, to_light), to_light}, kInfinity))
+    return glm::vec3(0.0f);
+  return light.radiance / light.pdf * balance(light.pdf, at.bsdf.pdf(to_light));
+}
+
+// What a sampled direction that met no surface sees, weighted against sky_radiance().
+glm::vec3 LightPaths::sky_found(const Bsdf::Sample& direction) const {
+  if (!environment_) return glm::vec3(0.0f);
+  return environment_->radiance(direction.to_light) *
+         balance(direction.pdf, environment_->pdf(direction.to_light));
+}
+
 // The radiance that leaves `met` towards `to_eye`, its emission left out: one path's estimate.
 glm::vec3 LightPaths::arriving(const Touch& met, const glm::vec3& to_eye, Sampler& sampler,
                                uint64_t& rays) const {
@@ -126,6 +148,11 @@ glm::vec3 LightPaths::arriving(const Touch& met, const glm::vec3& to_eye, Sample
       const glm::vec3 glow = emitter_radiance(vertex, to_light, sampler, rays);
       if (!is_black(glow)) radiance += throughput * vertex.reflected(to_light) * glow;
     }
+    if (environment_) {
+      glm::vec3 to_light(0.0f);
+      const glm::vec3 sky = sky_radiance(vertex, to_light, sampler, rays);
+      if (!is_black(sky)) radiance += throughput * vertex.reflected(to_light) * sky;
+    }
     const Bsdf::Sample next = vertex.bsdf.sample(sampler.next_2d());
     if (!(next.pdf > 0.0f) || !vertex.faces(next.to_light)) return radiance;
     throughput *= vertex.reflected(next.to_light) / next.pdf;
@@ -137,7 +164,7 @@ glm::vec3 LightPaths::arriving(const Touch& met, const glm::vec3& to_eye, Sample
     const Ray ray{World::origin(touch, next.to_light), next.to_light};
     ++rays;
     const std::optional<Hit> hit = world_.rays().nearest(ray);
-    if (!hit) return radiance;
+    if (!hit) return radiance + throughput * sky_found(next);
     const Touch found = world_.touch(ray, *hit);
     radiance += throughput * emission_found(found, vertex, next, rays);
     touch = found;
@@ -166,12 +193,21 @@ PathSample LightPaths::sample(const PathVertex& first, Sampler& sampler, uint64_
     const glm::vec3 glow = emitter_radiance(first, to_light, sampler, rays);
     if (!is_black(glow)) add(to_light, glow);
   }
+  if (environment_) {
+    glm::vec3 to_light(0.0f);
+    const glm::vec3 sky = sky_radiance(first, to_light, sampler, rays);
+    if (!is_black(sky)) add(to_light, sky);
+  }
   const Bsdf::Sample next = first.bsdf.sample(sampler.next_2d());
   if (!(next.pdf > 0.0f) || !first.faces(next.to_light)) return sum;
   const Ray ray{World::origin(first.surface, next.to_light), next.to_light};
   ++rays;
   const std::optional<Hit> hit = world_.rays().nearest(ray);
-  if (!hit) return sum;
+  if (!hit) {
+    const glm::vec3 sky = sky_found(next);
+    if (!is_black(sky)) add(next.to_light, sky / next.pdf);
+    return sum;
+  }
   const Touch met = world_.touch(ray, *hit);
   const glm::vec3 radiance =
       emission_found(met, first, next, rays) + arriving(met, -next.to_light, sampler, rays);

@@ -4,6 +4,7 @@
 
 #include "reference/camera.h"
 #include "reference/emitters.h"
+#include "reference/environment_light.h"
 #include "reference/first_hits.h"
 #include "reference/reference.h"
 #include "reference/sampler.h"
@@ -33,14 +34,20 @@ struct PathSample {
 };
 
 // Estimates the integrals of reference.h. Next-event estimation at each point: one ray to a
-// punctual light, one to a glowing triangle; the latter is weighted against the directions that the
-// BRDF picks (balance heuristic, Veach 1995). From the fifth surface on paths end at random.
+// punctual light, one to a glowing triangle, one to the environment; the latter two are weighted
+// against the directions that the BRDF picks (balance heuristic, Veach 1995). From the fifth
+// surface on paths end at random.
 class LightPaths {
  public:
-  // All must outlive this. `settings.mode` is path, screen or ambient.
-  LightPaths(const World& world, const Emitters& emitters, const PinholeCamera& camera,
-             const Settings& settings)
-      : world_(world), emitters_(emitters), camera_(camera), settings_(settings) {}
+  // All must outlive this. `settings.mode` is path, screen or ambient. `environment` is null where
+  // there is none; only path knows it.
+  LightPaths(const World& world, const Emitters& emitters, const EnvironmentLight* environment,
+             const PinholeCamera& camera, const Settings& settings)
+      : world_(world),
+        emitters_(emitters),
+        environment_(settings.mode == Mode::path ? environment : nullptr),
+        camera_(camera),
+        settings_(settings) {}
 
   // Where all paths of a pixel begin. `first` must outlive it.
   PathVertex begin(const FirstHit& first) const;
@@ -53,6 +60,9 @@ class LightPaths {
                              uint64_t& rays) const;
   glm::vec3 emission_found(const Touch& found, const PathVertex& from,
                            const Bsdf::Sample& direction, uint64_t& rays) const;
+  glm::vec3 sky_radiance(const PathVertex& at, glm::vec3& to_light, Sampler& sampler,
+                         uint64_t& rays) const;
+  glm::vec3 sky_found(const Bsdf::Sample& direction) const;
   float pick_light(Sampler& sampler) const;
   bool seen_by_camera(const Touch& surface, uint64_t& rays) const;
   glm::vec3 arriving(const Touch& met, const glm::vec3& to_eye, Sampler& sampler,
@@ -60,6 +70,7 @@ class LightPaths {
 
   const World& world_;
   const Emitters& emitters_;
+  const EnvironmentLight* environment_;
   const PinholeCamera& camera_;
   const Settings& settings_;
 };

@@ -34,6 +34,12 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+std::optional<EnvironmentLight> sky_of(const Scene& scene) {
+  if (!scene.environment) return std::nullopt;
+  EnvironmentLight sky(*scene.environment);
+  return sky.empty() ? std::nullopt : std::optional(std::move(sky));
+}
+
 // One rendering from its start to its layers.
 class Job {
  public:
@@ -47,7 +53,8 @@ class Job {
                     world.scene().cameras[static_cast<size_t>(shot.camera)].node)],
                 shot.width, shot.height),
         emitters_(world),
-        paths_(world_, emitters_, camera_, settings_),
+        sky_(sky_of(world.scene())),
+        paths_(world_, emitters_, sky_ ? &*sky_ : nullptr, camera_, settings_),
         sums_(shot.width, shot.height),
         g_buffer_(shot.width, shot.height) {}
 
@@ -68,9 +75,11 @@ class Job {
   const Control& control_;
   const PinholeCamera camera_;
   const Emitters emitters_;
+  const std::optional<EnvironmentLight> sky_;  // none: there is none, or it is black
   const LightPaths paths_;
   Accumulator sums_;
   GBufferLayers g_buffer_;
+  std::optional<ImageF> background_;  // where there is an environment; black before surfaces
   std::optional<ScreenSum> screen_sum_;
   std::vector<std::optional<FirstHit>> hits_;  // screen_unoccluded only
   std::vector<PathSample> means_;
@@ -110,10 +119,21 @@ bool Job::for_each_pixel(const std::function<void(uint32_t x, uint32_t y, uint64
 void Job::see() {
   const bool keep = settings_.mode == Mode::screen_unoccluded;
   if (keep) hits_.resize(means_.size());
+  const Scene& scene = world_.scene();
+  std::optional<Backdrop> backdrop;
+  if (scene.environment) {
+    backdrop.emplace(*scene.environment, scene.cameras[static_cast<size_t>(shot_.camera)],
+                     shot_.height);
+    background_.emplace(shot_.width, shot_.height, 3);
+  }
   for_each_pixel(
       [&](uint32_t x, uint32_t y, uint64_t& rays) {
         ++rays;
         const auto hit = first_hit(world_, camera_, x, y);
+        if (!hit && backdrop) {
+          const glm::vec2 centre(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+          store(*background_, x, y, backdrop->at(camera_.ray_through(centre).direction));
+        }
         if (!hit) return;
         g_buffer_.set(world_, *hit, x, y, rays);
         if (keep) hits_[size_t{y} * shot_.width + x] = hit;
@@ -194,8 +214,9 @@ std::vector<ImageLayer> Job::layers() const {
       direct.samples[i] += g_buffer_.specular.samples[i];
     picture = direct;
     for (size_t i = 0; i < picture.samples.size(); ++i)
-      picture.samples[i] +=
-          g_buffer_.albedo.samples[i] * indirect.samples[i] + indirect_specular.samples[i];
+      picture.samples[i] += g_buffer_.albedo.samples[i] * indirect.samples[i] +
+                            indirect_specular.samples[i] +
+                            (background_ ? background_->samples[i] : 0.0f);
     layers.push_back({"", std::move(picture)});
     layers.push_back({"direct", std::move(direct)});
     layers.push_back({"indirect", indirect});

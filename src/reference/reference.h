@@ -6,7 +6,8 @@
 // of a technique are one point of the scene. Cameras, materials, textures and light units are the
 // renderer's: linear Rec.709, cd/m² for glTF scenes. For camera rays, back faces of one-sided
 // materials are not there; for light every surface is opaque and two-sided, as it is for the shadow
-// maps. What is no surface is black.
+// maps. What is no surface is the scene's environment, or black without one. The environment is a
+// far surface that emits: its light upon surfaces is indirect, as that of all that glows.
 //
 // The light at a point x that the camera sees, from directions w over the hemisphere around its
 // normal n, all but what comes straight from punctual lights:
@@ -18,12 +19,13 @@
 //
 //   path                y's emission and what y reflects, by its whole BRDF, of punctual
 //                       lights and, with more than one bounce, of other surfaces: bounces - 1
-//                       further ones
+//                       further ones; the environment's radiance where there is no y
 //   screen              y's emission and diffuse reflection of punctual lights if the camera
 //                       sees y, else 0: the most that a technique can know from one view's
 //                       G-buffer
 //   screen_unoccluded   no rays: the sum over all pixels j of HSSIL (4), or (3), with visibility 1:
 //                       diffuse = sum of L_j F(x, j)
+//                       Neither of these two gets light of the environment: a G-buffer has none.
 //   ambient             no light: occlusion(x), the cosine-weighted share of directions that are
 //                       free for `ambient_distance_m`, 1 = open
 #pragma once
@@ -110,7 +112,8 @@ struct Rendering {
   Progress progress;
   bool complete = false;  // false: stopped early, and `state` continues it
   // Layers as in EXR files of the renderer, W x H:
-  //   ""         the picture: source + direct specular + albedo * indirect + indirect_specular
+  //   ""         the picture: source + direct specular + albedo * indirect + indirect_specular;
+  //              the environment where there is no surface
   //   direct     source + direct specular
   //   indirect   `diffuse` above                       (path, screen, screen_unoccluded)
   //   indirect_specular  `specular` above              (path)

@@ -55,6 +55,13 @@ TEST(RendererLayout, LightPasses) {
          LUEUR_MEMBER(LightParams, shadow_near_m), LUEUR_MEMBER(LightParams, texel_m)});
 }
 
+TEST(RendererLayout, Background) {
+  expect_layout(shaders::renderer_background_comp, "push", sizeof(BackgroundParams),
+                {LUEUR_MEMBER(BackgroundParams, extent), LUEUR_MEMBER(BackgroundParams, corner),
+                 LUEUR_MEMBER(BackgroundParams, step_x), LUEUR_MEMBER(BackgroundParams, step_y),
+                 LUEUR_MEMBER(BackgroundParams, level), LUEUR_MEMBER(BackgroundParams, intensity)});
+}
+
 TEST(RendererLayout, SurfaceAndComposition) {
   for (const gpu::ShaderCode* code :
        {&shaders::renderer_surface_comp, &shaders::renderer_compose_comp})

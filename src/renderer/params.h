@@ -88,6 +88,16 @@ struct ComposeParams {
   uint has_indirect;
 };
 
+// The direction of a pixel in the environment's picture is corner + x step_x + y step_y.
+struct BackgroundParams {
+  ivec2 extent;
+  vec3 corner;
+  vec3 step_x;
+  vec3 step_y;
+  float level;  // of the picture's smaller versions
+  float intensity;
+};
+
 LUEUR_NAMESPACE_END
 
 #endif

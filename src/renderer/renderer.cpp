@@ -6,6 +6,7 @@
 
 #include "base/check.h"
 #include "base/try.h"
+#include "renderer/background.h"
 #include "renderer/light_view.h"
 #include "renderer/params.h"
 #include "renderer/scene_on_device.h"
@@ -15,8 +16,9 @@
 namespace lueur {
 
 struct Renderer::State {
-  Scene scene;  // without its vertices and texels
+  Scene scene;  // without its vertices, texels and environment's pixels
   std::unique_ptr<SceneOnDevice> on_device;
+  std::optional<Background> background;
   std::vector<std::string> warnings;
 };
 
@@ -204,12 +206,17 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::System& system, Context&
   auto state = std::make_unique<State>();
   LUEUR_TRY(on_device, SceneOnDevice::create(system, context, scene));
   state->on_device = std::move(on_device);
+  if (scene.environment) {
+    LUEUR_TRY(background, Background::create(system, context, *scene.environment));
+    state->background = std::move(background);
+  }
   state->scene = scene;
   for (const Material& material : scene.materials)
     if (material.phong)
       state->warnings.push_back("material '" + material.name +
                                 "': its Phong lobe is left out of direct light");
   for (Texture& texture : state->scene.textures) texture.rgba.clear();
+  if (state->scene.environment) state->scene.environment->rgb.clear();
   return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
 }
 
@@ -265,6 +272,9 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   }
   images.composed = frame.image("composed", shot.extent, Format::rgba16f);
   passes.compose(images);
+  if (state_->background)
+    state_->background->record(frame, shot.extent, world_from_camera(now[node]),
+                               camera.vertical_fov_rad, images.depth, images.composed);
   return images;
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "scene/deform.h"
+#include "scene/emission.h"
 #include "scene/survey.h"
 #include "scene/triangle_tree.h"
 
@@ -262,6 +263,21 @@ void add_light(Scene& scene, const TriangleTree& tree, const Survey& place, cons
     add_lamp(scene, tree, place, box);
 }
 
+// Why no light has to be added, as a line for the user; none if one is missing.
+std::optional<std::string> other_light(const Scene& scene,
+                                       const std::vector<glm::mat4>& world_from_node,
+                                       const Bounds& box) {
+  constexpr double kLeastShare = 0.02;
+  if (scene.environment)
+    return "no light in the file: the environment is all there is, and its light is indirect";
+  const glm::dvec3 size(box.max - box.min);
+  const double surface = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
+  if (emitted_flux(scene, world_from_node) >= kLeastShare * double{kIlluminanceLux} * surface &&
+      surface > 0.0)
+    return "no light in the file but surfaces that glow: their light is indirect";
+  return std::nullopt;
+}
+
 }  // namespace
 
 void complete(Scene& scene) {
@@ -277,7 +293,11 @@ void complete(Scene& scene) {
   const TriangleTree tree(seen, world_from_node);
   const Survey place = survey(tree, box);
   if (scene.cameras.empty()) add_camera(scene, tree, place, box);
-  if (scene.lights.empty()) add_light(scene, tree, place, box);
+  if (!scene.lights.empty()) return;
+  if (auto other = other_light(seen, world_from_node, box))
+    scene.warnings.push_back(std::move(*other));
+  else
+    add_light(scene, tree, place, box);
 }
 
 }  // namespace lueur

@@ -136,6 +136,33 @@ TEST(Framing, ScenesThatAreCompleteStayAsTheyAre) {
   EXPECT_TRUE(scene.warnings.empty());
 }
 
+TEST(Framing, WhatShinesOnItsOwnNeedsNoLight) {
+  Scene around = box_scene(vec3(1.0f), false);
+  around.environment.emplace();
+  complete(around);
+  EXPECT_TRUE(around.lights.empty());
+  EXPECT_NE(around.warnings.back().find("environment"), std::string::npos);
+  // Of the box's six sides all glow, so the share is the luminance over 1 cd/m2: 2 % are enough.
+  for (const float emission : {0.019f, 0.021f}) {
+    Scene scene = box_scene(vec3(1.0f), false);
+    scene.materials[0].emission = vec3(emission);
+    complete(scene);
+    EXPECT_EQ(scene.lights.size(), emission < 0.02f ? 1u : 0u);
+    EXPECT_EQ(scene.warnings.back().find("glow") == std::string::npos, emission < 0.02f);
+  }
+  // A texture of which one pixel in four glows.
+  for (const float emission : {0.076f, 0.084f}) {
+    Scene scene = box_scene(vec3(1.0f), false);
+    scene.materials[0].emission = vec3(emission);
+    scene.materials[0].emission_texture = 0;
+    std::vector<uint8_t> texels(16, 0);
+    std::fill_n(texels.begin(), 4, uint8_t{255});
+    scene.textures.push_back({.width = 2, .height = 2, .rgba = std::move(texels)});
+    complete(scene);
+    EXPECT_EQ(scene.lights.size(), emission < 0.08f ? 1u : 0u);
+  }
+}
+
 TEST(Framing, EmptyScenesGetBothToo) {
   Scene scene;
   scene.materials.resize(1);

@@ -61,12 +61,6 @@ std::string remedy_for(std::string_view extension) {
   return "re-export without it";
 }
 
-void Warnings::add(const std::string& line) {
-  constexpr size_t kMaxLines = 64;
-  if (lines_.size() >= kMaxLines) return;
-  if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) lines_.push_back(line);
-}
-
 Result<GltfFile> GltfFile::open(const std::filesystem::path& path, const LoadLimits& limits) {
   GltfFile file;
   file.name_ = path.string();

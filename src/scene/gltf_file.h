@@ -12,19 +12,10 @@
 
 #include "lueur/result.h"
 #include "scene/gltf_json.h"
-#include "scene/gltf_load.h"
+#include "scene/load_limits.h"
+#include "scene/warnings.h"
 
 namespace lueur {
-
-// One line each, each line once; a file cannot make the list long.
-class Warnings {
- public:
-  void add(const std::string& line);
-  std::vector<std::string> take() { return std::move(lines_); }
-
- private:
-  std::vector<std::string> lines_;
-};
 
 // Whether files may require the extension: what it adds is read.
 bool is_supported(std::string_view extension);

@@ -16,26 +16,13 @@
 // something else than the author made (extensions the file calls required).
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 
 #include "lueur/result.h"
+#include "scene/load_limits.h"
 #include "scene/scene.h"
 
 namespace lueur {
-
-// What one asset may ask for; checked before memory is taken for it.
-struct LoadLimits {
-  uint64_t file_bytes = uint64_t{1} << 30;  // all files of the asset together
-  uint64_t vertices = uint64_t{64} << 20;   // all meshes together
-  uint64_t indices = uint64_t{64} << 20;
-  uint64_t nodes = uint64_t{1} << 20;
-  uint64_t images = 4096;
-  uint32_t texture_side_px = 16384;
-  uint64_t texture_bytes = uint64_t{2} << 30;  // decoded, all textures together
-  uint64_t json_values = uint64_t{16} << 20;
-  uint32_t json_depth = 64;
-};
 
 // Fails with ErrorKind::input and a line that names the file, the JSON path and the remedy. Buffers
 // and images are read only from the folder of `path` and below it. The scene has no default camera

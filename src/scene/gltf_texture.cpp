@@ -1,35 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf_texture.h"
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <map>
-#include <new>
-#include <optional>
-#include <span>
 #include <string>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include "base/try.h"
-#include "scene/image_decode.h"
+#include "scene/texture_decode.h"
 
 namespace lueur {
 namespace {
-
-// An image still encoded, with where to put it.
-struct EncodedImage {
-  std::string name;
-  std::string path;              // for messages: "file: images[3]"
-  std::vector<uint8_t> storage;  // empty where `bytes` lie in a buffer
-  std::span<const uint8_t> bytes;
-  ImageHeader header;
-  std::vector<uint8_t> rgba;
-  std::optional<Error> failure;
-};
 
 Result<Wrap> read_wrap(const JsonCursor& sampler, const char* key) {
   constexpr uint64_t kRepeat = 10497, kClampToEdge = 33071, kMirroredRepeat = 33648;
@@ -61,47 +43,9 @@ Result<EncodedImage> read_image(GltfFile& file, size_t index) {
     return at.error("has neither a uri nor a bufferView; re-export the file");
   }
 
-  // Believe the header only within the limits: memory is taken for what it says.
-  auto header = read_image_header(image.bytes);
-  if (!header.ok()) return at.error(header.error().message);
-  image.header = *header;
-  const uint32_t side_limit = file.limits().texture_side_px;
-  if (image.header.width == 0 || image.header.height == 0 || image.header.width > side_limit ||
-      image.header.height > side_limit)
-    return at.error(std::to_string(image.header.width) + " x " +
-                    std::to_string(image.header.height) + " pixels, sides have to be 1 to " +
-                    std::to_string(side_limit) + "; resize the image");
+  if (const auto checked = read_header(image, file.limits()); !checked.ok())
+    return at.error(checked.error().message);
   return image;
-}
-
-void decode_one(EncodedImage& image) {
-  // Catch here: an exception must not leave a thread.
-  try {
-    if (auto decoded = decode_image(image.bytes, image.header, image.rgba); !decoded.ok())
-      image.failure = decoded.error();
-  } catch (const std::bad_alloc&) {
-    image.failure = Error{ErrorKind::memory, "no memory to decode the image"};
-  }
-}
-
-void decode_all(std::vector<EncodedImage>& images) {
-  for (EncodedImage& image : images)
-    image.rgba.resize(size_t{image.header.width} * image.header.height * 4);
-
-  std::atomic<size_t> next{0};
-  const auto work = [&] {
-    for (size_t i = next++; i < images.size(); i = next++) decode_one(images[i]);
-  };
-  // Let this thread work too: without any helper thread all images are still decoded.
-  const size_t helper_count =
-      std::min<size_t>(std::max(std::thread::hardware_concurrency(), 1u), images.size());
-  std::vector<std::jthread> helpers;
-  try {
-    for (size_t i = 1; i < helper_count; ++i) helpers.emplace_back(work);
-  } catch (const std::system_error&) {
-    // No more threads to be had; those that run are enough.
-  }
-  work();
 }
 
 // Reads where on the texture a surface's coordinates lead: scaled, turned, then moved. On the
@@ -201,11 +145,7 @@ Result<std::vector<Texture>> GltfTextures::decode() {
                                          " bytes; resize them"};
   }
 
-  decode_all(images);
-  for (const EncodedImage& image : images)
-    if (image.failure)
-      return Error{image.failure->kind,
-                   image.path + image.failure->message + "; save the image again"};
+  LUEUR_TRY_VOID(decode_all(images));
 
   // Copy the pixels where another slot still needs them, and move them otherwise.
   std::vector<size_t> uses(images.size(), 0);

@@ -70,6 +70,31 @@ std::optional<std::string> percent_decode(std::string_view text) {
   return out;
 }
 
+// `name`, relative to `folder`, if it leads to something inside. `shown` stands for it in messages.
+Result<fs::path> confined(const fs::path& folder, const std::string& name,
+                          const std::string& shown) {
+  const Error outside{ErrorKind::input, shown +
+                                            " leads out of the asset's folder; put the file "
+                                            "beside the asset and refer to it by name"};
+  // Refuse schemes (http:, file:) and drives by the colon before the first slash.
+  const size_t colon = name.find(':');
+  if (colon != std::string::npos && colon < name.find('/'))
+    return Error{ErrorKind::input, shown + ": only data URIs and files beside the asset are read"};
+  const fs::path relative(name);
+  if (relative.is_absolute()) return outside;
+
+  // Compare after links are resolved, so that a link cannot lead out either.
+  std::error_code failure;
+  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, failure);
+  if (failure) return Error{ErrorKind::input, shown + ": " + failure.message()};
+  const fs::path target = fs::weakly_canonical(root / relative, failure);
+  if (failure) return Error{ErrorKind::input, shown + ": " + failure.message()};
+  const auto [root_end, target_at] =
+      std::mismatch(root.begin(), root.end(), target.begin(), target.end());
+  if (root_end != root.end() || target_at == target.end()) return outside;
+  return target;
+}
+
 }  // namespace
 
 bool is_data_uri(std::string_view uri) {
@@ -91,31 +116,17 @@ Result<std::vector<uint8_t>> decode_data_uri(std::string_view uri) {
 }
 
 Result<fs::path> confined_path(const fs::path& folder, std::string_view uri) {
-  const std::string shown = in_quotes(uri);
-  const Error outside{ErrorKind::input, shown +
-                                            " leads out of the asset's folder; put the file "
-                                            "beside the asset and refer to it by name"};
   const std::optional<std::string> decoded = percent_decode(uri);
   if (!decoded || decoded->empty() || decoded->find('\0') != std::string::npos)
-    return Error{ErrorKind::input, shown + " is not a valid URI"};
+    return Error{ErrorKind::input, in_quotes(uri) + " is not a valid URI"};
+  return confined(folder, *decoded, in_quotes(uri));
+}
 
-  // Refuse schemes (http:, file:) by the colon before the first slash.
-  const size_t colon = decoded->find(':');
-  if (colon != std::string::npos && colon < decoded->find('/'))
-    return Error{ErrorKind::input, shown + ": only data URIs and files beside the asset are read"};
-  const fs::path relative(*decoded);
-  if (relative.is_absolute()) return outside;
-
-  // Compare after links are resolved, so that a link cannot lead out either.
-  std::error_code failure;
-  const fs::path root = fs::weakly_canonical(folder.empty() ? fs::path(".") : folder, failure);
-  if (failure) return Error{ErrorKind::input, shown + ": " + failure.message()};
-  const fs::path target = fs::weakly_canonical(root / relative, failure);
-  if (failure) return Error{ErrorKind::input, shown + ": " + failure.message()};
-  const auto [root_end, target_at] =
-      std::mismatch(root.begin(), root.end(), target.begin(), target.end());
-  if (root_end != root.end() || target_at == target.end()) return outside;
-  return target;
+Result<fs::path> confined_file(const fs::path& folder, std::string name) {
+  std::replace(name.begin(), name.end(), '\\', '/');
+  if (name.empty() || name.find('\0') != std::string::npos)
+    return Error{ErrorKind::input, in_quotes(name) + " is not a file name"};
+  return confined(folder, name, in_quotes(name));
 }
 
 }  // namespace lueur

@@ -22,6 +22,10 @@ Result<std::vector<uint8_t>> decode_data_uri(std::string_view uri);
 Result<std::filesystem::path> confined_path(const std::filesystem::path& folder,
                                             std::string_view uri);
 
+// The same for a plain file name, as OBJ and MTL files have them: not percent-encoded, and with
+// slashes of either kind.
+Result<std::filesystem::path> confined_file(const std::filesystem::path& folder, std::string name);
+
 bool is_data_uri(std::string_view uri);
 
 }  // namespace lueur

@@ -11,6 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/environment.h"
+
 namespace lueur {
 
 inline constexpr int32_t kNone = -1;  // an index that points at nothing
@@ -197,7 +199,8 @@ struct Scene {
   std::vector<Skin> skins;
   std::vector<MeshInstance> instances;
   std::vector<Camera> cameras;  // at least one after loading
-  std::vector<Light> lights;    // at least one after complete(); see framing.h
+  std::vector<Light> lights;    // may be none where surfaces or the environment shine: framing.h
+  std::optional<Environment> environment;  // what is seen, and shines, where no surface is
   std::vector<AnimationChannel> animation;
   std::optional<float> exposure_ev;   // stops the scene's author wants; none: the program decides
   std::vector<std::string> warnings;  // one line each: what the file had that was left out or added

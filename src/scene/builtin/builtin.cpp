@@ -9,7 +9,7 @@
 #include "base/try.h"
 #include "scene/builtin/detailed_object.h"
 #include "scene/builtin/scenes.h"
-#include "scene/gltf_load.h"
+#include "scene/scene_file.h"
 
 namespace lueur {
 namespace {
@@ -110,7 +110,7 @@ Result<SceneParameters> parse_parameters(std::string_view spec, std::string_view
 // Makes the scene with the mesh in `path` in the place of its own object.
 Result<Scene> make_with_object(const BuiltinScene& known, SceneParameters parameters) {
   const std::filesystem::path path = *std::exchange(parameters.object, std::nullopt);
-  LUEUR_TRY(object, load_gltf(path));
+  LUEUR_TRY(object, load_scene_file(path));
   LUEUR_TRY(scene, known.make(parameters));
   if (!builtin::replace_detailed_object(scene, std::move(object)))
     return Error{ErrorKind::input, "object '" + path.string() +
