@@ -16,13 +16,14 @@ using Scenes = std::vector<std::shared_ptr<SceneUnderTest>>;
 // The scene of this name, loaded if it is not in the list yet.
 Result<std::shared_ptr<SceneUnderTest>> scene_named(const std::string& name,
                                                     const EnvironmentChoice& environment,
+                                                    const LoadLimits& limits,
                                                     const std::string& camera, Session& session,
                                                     Scenes& scenes) {
   const auto known = std::find_if(scenes.begin(), scenes.end(),
                                   [&](const auto& scene) { return scene->name == name; });
   if (known != scenes.end()) return *known;
   print_progress("loading " + name);
-  LUEUR_TRY(loaded, load_scene(name, environment));
+  LUEUR_TRY(loaded, load_scene(name, environment, limits));
   LUEUR_TRY(camera_index, find_camera(loaded.scene, camera));
   const uint64_t before = session.context.memory().total_bytes;
   LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, loaded.scene));
@@ -60,7 +61,8 @@ Result<std::vector<Candidate>> make_candidates(Session& session,
   Scenes scenes;
   std::vector<Candidate> candidates;
   for (CandidateRequest& request : requests) {
-    LUEUR_TRY(scene, scene_named(request.scene, request.environment, camera, session, scenes));
+    LUEUR_TRY(scene, scene_named(request.scene, request.environment, request.limits, camera,
+                                 session, scenes));
     Candidate candidate{request.label, scene, std::move(request.technique), {}, {}};
     candidate.shot = {.extent = request.size, .camera = scene->camera, .seed = seed};
     candidates.push_back(std::move(candidate));

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/gltf_load.h"
 #include "session.h"
 #include "technique_list.h"
 
@@ -44,6 +45,7 @@ struct CandidateRequest {
   Extent size;
   ChosenTechnique technique;
   EnvironmentChoice environment;  // the same for all requests of one scene
+  LoadLimits limits = {};
 };
 
 // Loads each scene once, says its warnings, and measures each candidate's memory, for which it

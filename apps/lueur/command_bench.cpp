@@ -10,12 +10,14 @@
 #include "bench_report.h"
 #include "commands.h"
 #include "console.h"
+#include "limit_option.h"
 
 namespace lueur::cli {
 namespace {
 
 struct Options {
   std::string scene = "atrium";
+  LoadLimits limits;
   TechniqueOptions technique;
   std::optional<std::string> techniques;
   FrameOptions frame;
@@ -58,8 +60,8 @@ Result<Plan> check(const Options& options) {
   LUEUR_TRY(techniques, chosen_techniques(options));
   for (ChosenTechnique& technique : techniques) {
     plan.techniques.push_back(technique.label);
-    CandidateRequest base{technique.label, options.scene, setup.size, std::move(technique),
-                          setup.environment};
+    CandidateRequest base{technique.label,      options.scene,     setup.size,
+                          std::move(technique), setup.environment, options.limits};
     if (!plan.scale) {
       plan.requests.push_back(std::move(base));
       continue;
@@ -128,6 +130,7 @@ void add_bench(CLI::App& program, Outcome& outcome) {
   command->add_option("--scene", options->scene, "A scene, see `lueur render` (default atrium)")
       ->type_name("SCENE");
   add_object_option(*command, options->scene);
+  add_limit_option(*command, options->limits);
   add_technique_options(*command, options->technique);
   command->add_option("--techniques", options->techniques, "Several techniques, timed in turn")
       ->type_name("LIST")

@@ -7,12 +7,14 @@
 #include "base/try.h"
 #include "compare_job.h"
 #include "destination.h"
+#include "limit_option.h"
 
 namespace lueur::cli {
 namespace {
 
 struct Options {
   std::string scene;
+  LoadLimits limits;
   std::string techniques = "hierarchical,none";
   std::string references = "path";
   std::string spp = "256";
@@ -49,6 +51,7 @@ std::string command_of(const Options& options) {
 Result<CompareJob> check(const Options& options) {
   CompareJob job;
   job.scene = options.scene;
+  job.limits = options.limits;
   job.frame = options.frame;
   if (options.no_cache) job.cache = reference::Cache::ignore;
   job.json = options.json;
@@ -103,6 +106,7 @@ void add_compare(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("compare", "Hold techniques against the truth");
   auto options = std::make_shared<Options>();
   add_scene_argument(*command, options->scene);
+  add_limit_option(*command, options->limits);
   command->add_option("-o,--output", options->folder, "Folder, made if it is missing")
       ->type_name("FOLDER")
       ->required();

@@ -7,6 +7,7 @@
 #include "base/try.h"
 #include "commands.h"
 #include "frame_options.h"
+#include "limit_option.h"
 #include "reference_job.h"
 #include "reference_list.h"
 
@@ -15,6 +16,7 @@ namespace {
 
 struct Options {
   std::string scene;
+  LoadLimits limits;
   std::vector<std::string> outputs;
   std::string mode = "path";
   std::string bounces = "1";
@@ -50,6 +52,7 @@ Result<reference::Settings> parse_settings(const Options& options) {
 Result<ReferenceJob> check(const Options& options) {
   ReferenceJob job;
   job.scene = options.scene;
+  job.limits = options.limits;
   job.camera = options.frame.camera;
   job.resume = options.resume;
   if (options.no_cache) job.cache = reference::Cache::ignore;
@@ -132,6 +135,7 @@ void add_reference(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("reference", "Trace the true indirect light");
   auto options = std::make_shared<Options>();
   add_scene_argument(*command, options->scene);
+  add_limit_option(*command, options->limits);
   command->add_option("-o,--output", options->outputs, "Picture, .exr or .png; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "console.h"
 #include "frame_options.h"
+#include "limit_option.h"
 #include "render_job.h"
 
 namespace lueur::cli {
@@ -16,6 +17,7 @@ namespace {
 // What was typed, before it is checked.
 struct Options {
   std::string scene;
+  LoadLimits limits;
   std::vector<std::string> outputs;
   TechniqueOptions technique;
   FrameOptions frame;
@@ -34,6 +36,7 @@ struct Options {
 Result<RenderJob> check(const Options& options) {
   RenderJob job;
   job.scene = options.scene;
+  job.limits = options.limits;
   job.camera = options.frame.camera;
   job.view = options.view;
   job.dump = options.dump;
@@ -143,6 +146,7 @@ void add_render(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene");
   auto options = std::make_shared<Options>();
   add_scene_argument(*command, options->scene);
+  add_limit_option(*command, options->limits);
   command->add_option("-o,--output", options->outputs, "Picture, .png or .exr; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);

@@ -12,6 +12,7 @@
 #include "destination.h"
 #include "frame_options.h"
 #include "json_output.h"
+#include "limit_option.h"
 #include "scene/builtin/builtin.h"
 #include "scene/deform.h"
 #include "scene/gltf_export.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct Options {
   std::string scene;
+  LoadLimits limits;
   std::string output;
   bool json = false;
 };
@@ -161,7 +163,7 @@ Outcome run_list(const Options& options) {
 }
 
 Outcome run_info(const Options& options) {
-  LUEUR_TRY(loaded, load_scene(options.scene));
+  LUEUR_TRY(loaded, load_scene(options.scene, options.limits));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
   const Json info = info_json(options.scene, loaded);
   LUEUR_TRY_VOID(options.json ? print_json(info) : print_data(info_text(info)));
@@ -172,7 +174,7 @@ Outcome run_export(const Options& options) {
   if (ending_of(options.output) != ".glb")
     return Error{ErrorKind::usage, "-o '" + options.output + "': the name has to end in .glb"};
   LUEUR_TRY_VOID(check_writable(options.output));
-  LUEUR_TRY(loaded, load_scene(options.scene));
+  LUEUR_TRY(loaded, load_scene(options.scene, options.limits));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
   LUEUR_TRY_VOID(export_glb(loaded.scene, options.output));
   print_progress("wrote " + options.output);
@@ -202,6 +204,7 @@ void add_scene(CLI::App& program, Outcome& outcome) {
 
   CLI::App* info = command->add_subcommand("info", "Say what is in a scene");
   add_scene_argument(*info, options->scene);
+  add_limit_option(*info, options->limits);
   add_json(info);
   info->footer(std::string("Examples:\n  lueur scene info cornell\n"
                            "  lueur scene info room.glb --json\n") +
@@ -210,6 +213,7 @@ void add_scene(CLI::App& program, Outcome& outcome) {
 
   CLI::App* out = command->add_subcommand("export", "Write a scene as a binary glTF file");
   add_scene_argument(*out, options->scene);
+  add_limit_option(*out, options->limits);
   out->add_option("-o,--output", options->output, "Ends in .glb")->type_name("FILE")->required();
   out->footer(std::string("Examples:\n"
                           "  lueur scene export atrium:triangles=250000 -o atrium.glb\n") +

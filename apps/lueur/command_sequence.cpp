@@ -6,6 +6,7 @@
 #include "arguments.h"
 #include "base/try.h"
 #include "destination.h"
+#include "limit_option.h"
 #include "sequence_job.h"
 
 namespace lueur::cli {
@@ -17,6 +18,7 @@ constexpr float kMostFramesASecond = 1e6f;
 
 struct Options {
   std::string scene;
+  LoadLimits limits;
   std::string techniques = "hierarchical";
   std::string from = "0";
   std::string rate = "60";
@@ -59,6 +61,7 @@ Result<Sequence> check_sequence(const Options& options) {
 Result<SequenceJob> check(const Options& options) {
   SequenceJob job;
   job.scene = options.scene;
+  job.limits = options.limits;
   job.frame = options.frame;
   job.json = options.json;
   LUEUR_TRY(sequence, check_sequence(options));
@@ -123,6 +126,7 @@ void add_sequence(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("sequence", "Measure flicker and ghosts in motion");
   auto options = std::make_shared<Options>();
   add_scene_argument(*command, options->scene);
+  add_limit_option(*command, options->limits);
   command
       ->add_option("-o,--output", options->folder, "Folder for the frames, made if it is missing")
       ->type_name("FOLDER");

@@ -42,8 +42,8 @@ Result<Traced> trace(const CompareJob& job, const Scene& scene, int32_t camera) 
 Result<std::vector<Candidate>> candidates_of(const CompareJob& job, Session& session) {
   std::vector<CandidateRequest> requests;
   for (const ChosenTechnique& technique : job.techniques)
-    requests.push_back(
-        {technique.label, job.scene, job.setup.size, copy(technique), job.setup.environment});
+    requests.push_back({technique.label, job.scene, job.setup.size, copy(technique),
+                        job.setup.environment, job.limits});
   return make_candidates(session, std::move(requests), job.frame.camera, job.setup.seed);
 }
 
@@ -162,7 +162,7 @@ std::string text_of(const report::Comparison& comparison) {
 
 Outcome run_compare(CompareJob& job) {
   print_progress("loading " + job.scene);
-  LUEUR_TRY(loaded, load_scene(job.scene, job.setup.environment));
+  LUEUR_TRY(loaded, load_scene(job.scene, job.setup.environment, job.limits));
   const Scene& scene = loaded.scene;
   LUEUR_TRY(camera, find_camera(scene, job.frame.camera));
   // Before the device is opened, whose threads would take the signals.

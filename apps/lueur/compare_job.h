@@ -10,12 +10,14 @@
 #include "frame_options.h"
 #include "reference/rendering_file.h"
 #include "reference_list.h"
+#include "scene/gltf_load.h"
 #include "technique_list.h"
 
 namespace lueur::cli {
 
 struct CompareJob {
   std::string scene;
+  LoadLimits limits;
   FrameOptions frame;  // as typed
   FrameSetup setup;
   std::vector<ChosenTechnique> techniques;  // at least one

@@ -121,7 +121,7 @@ fs::path state_path(const ReferenceJob& job) {
 
 Outcome run_reference(ReferenceJob& job) {
   print_progress("loading " + job.scene);
-  LUEUR_TRY(loaded, load_scene(job.scene, job.environment));
+  LUEUR_TRY(loaded, load_scene(job.scene, job.environment, job.limits));
   const Scene& scene = loaded.scene;
   LUEUR_TRY(camera, find_camera(scene, job.camera));
   job.shot.camera = camera;

@@ -11,11 +11,13 @@
 #include "environment_choice.h"
 #include "image/tone_map.h"
 #include "reference/rendering_file.h"
+#include "scene/gltf_load.h"
 
 namespace lueur::cli {
 
 struct ReferenceJob {
   std::string scene;
+  LoadLimits limits;
   std::string camera;  // name or number; empty: the first
   reference::Shot shot;
   reference::Settings settings;

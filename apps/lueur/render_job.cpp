@@ -169,7 +169,7 @@ std::string lines(const std::vector<std::string>& list) {
 Outcome run_render(RenderJob& job) {
   Report report;
   print_progress("loading " + job.scene);
-  LUEUR_TRY(loaded, load_scene(job.scene, job.environment));
+  LUEUR_TRY(loaded, load_scene(job.scene, job.environment, job.limits));
   const Scene& scene = loaded.scene;
   report.load_ms = loaded.load_ms;
   report.triangles = triangle_count(scene);

@@ -10,12 +10,14 @@
 #include "destination.h"
 #include "environment_choice.h"
 #include "image/tone_map.h"
+#include "scene/gltf_load.h"
 #include "technique_list.h"
 
 namespace lueur::cli {
 
 struct RenderJob {
   std::string scene;
+  LoadLimits limits;
   std::string camera;  // name or number; empty: the first
   Extent size;
   float time_s = 0;

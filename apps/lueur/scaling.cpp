@@ -101,8 +101,8 @@ Result<Scale> parse_scale(const std::string& flag, const std::string& text, Exte
 
 Result<CandidateRequest> at_value(const Scale& scale, const std::string& value,
                                   const CandidateRequest& base) {
-  CandidateRequest request{base.label, base.scene, base.size, copy(base.technique),
-                           base.environment};
+  CandidateRequest request{base.label,           base.scene,       base.size,
+                           copy(base.technique), base.environment, base.limits};
   if (scale.of == "pixels") {
     LUEUR_TRY(size, parse_size(scale.flag, value));
     request.size = size;

@@ -122,7 +122,7 @@ std::string report_text(const SequenceJob& job, const std::vector<SequenceErrors
 Outcome run_sequence(SequenceJob& job) {
   if (!job.folder.empty()) LUEUR_TRY_VOID(check_output(job));
   print_progress("loading " + job.scene);
-  LUEUR_TRY(loaded, load_scene(job.scene, job.sequence.setup.environment));
+  LUEUR_TRY(loaded, load_scene(job.scene, job.sequence.setup.environment, job.limits));
   Scene& scene = loaded.scene;
   LUEUR_TRY(camera, find_camera(scene, job.frame.camera));
   hold(scene, camera, job);

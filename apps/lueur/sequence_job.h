@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "frame_options.h"
+#include "scene/gltf_load.h"
 #include "sequence.h"
 #include "technique_list.h"
 
@@ -17,6 +18,7 @@ enum class Hold { nothing, camera, scene };
 
 struct SequenceJob {
   std::string scene;
+  LoadLimits limits;
   FrameOptions frame;  // as typed
   Sequence sequence;
   Hold hold = Hold::nothing;                // stands still as at the sequence's beginning

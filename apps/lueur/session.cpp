@@ -46,7 +46,8 @@ Result<void> surround(Scene& scene, const EnvironmentChoice& choice) {
   return {};
 }
 
-Result<Scene> make_scene(const std::string& spec, const EnvironmentChoice& environment) {
+Result<Scene> make_scene(const std::string& spec, const EnvironmentChoice& environment,
+                         const LoadLimits& limits) {
   if (is_builtin(spec)) {
     LUEUR_TRY(scene, make_builtin_scene(spec));
     LUEUR_TRY_VOID(surround(scene, environment));
@@ -55,7 +56,7 @@ Result<Scene> make_scene(const std::string& spec, const EnvironmentChoice& envir
   if (const size_t object = spec.find(":object="); object != std::string::npos)
     return no_object(spec.substr(0, object));
   if (looks_like_file(spec)) {
-    LUEUR_TRY(scene, load_scene_file(spec));
+    LUEUR_TRY(scene, load_scene_file(spec, limits));
     // First what shines, as complete() adds a light where nothing does.
     LUEUR_TRY_VOID(surround(scene, environment));
     complete(scene);
@@ -107,9 +108,10 @@ Image image_named(const RenderedImages& images, std::string_view name) {
 
 }  // namespace
 
-Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment) {
+Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment,
+                               const LoadLimits& limits) {
   const auto start = std::chrono::steady_clock::now();
-  LUEUR_TRY(scene, make_scene(spec, environment));
+  LUEUR_TRY(scene, make_scene(spec, environment, limits));
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   return LoadedScene{std::move(scene), taken.count()};
 }

@@ -12,6 +12,7 @@
 #include "gpu/system.h"
 #include "lueur/technique.h"
 #include "renderer/renderer.h"
+#include "scene/gltf_load.h"
 #include "scene/scene.h"
 
 namespace lueur::cli {
@@ -25,7 +26,8 @@ struct LoadedScene {
 // ends in one of kSceneFileEndings, or that exists. A built-in name wins over a file of that name.
 // Files get the camera and the light that they lack. A chosen environment takes the place of the
 // scene's own.
-Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment = {});
+Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment = {},
+                               const LoadLimits& limits = {});
 
 // A camera's number or its name; the first one for "". The error lists the cameras.
 Result<int32_t> find_camera(const Scene& scene, const std::string& text);

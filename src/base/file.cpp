@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -43,9 +44,8 @@ Result<void> write_in_place(const fs::path& path, std::span<const uint8_t> bytes
   return {};
 }
 
-}  // namespace
-
-Result<std::vector<uint8_t>> read_file(const fs::path& path, uint64_t max_bytes) {
+// Of a regular file; anything else could block, or have no end.
+Result<uint64_t> size_of_file(const fs::path& path) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found)
@@ -55,16 +55,32 @@ Result<std::vector<uint8_t>> read_file(const fs::path& path, uint64_t max_bytes)
     return Error{ErrorKind::input, path.string() + ": not a regular file"};
   const uint64_t size = fs::file_size(path, error);
   if (error) return Error{ErrorKind::input, path.string() + ": " + error.message()};
-  if (size > max_bytes)
-    return Error{ErrorKind::input, path.string() + ": " + std::to_string(size) +
-                                       " bytes, more than the limit of " +
-                                       std::to_string(max_bytes)};
+  return size;
+}
+
+Result<std::vector<uint8_t>> read_start(const fs::path& path, uint64_t size) {
   std::ifstream file(path, std::ios::binary);
   std::vector<uint8_t> bytes(size);
   if (!file ||
       !file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
     return Error{ErrorKind::input, path.string() + ": cannot be read: " + std::strerror(errno)};
   return bytes;
+}
+
+}  // namespace
+
+Result<std::vector<uint8_t>> read_file(const fs::path& path, uint64_t max_bytes) {
+  LUEUR_TRY(size, size_of_file(path));
+  if (size > max_bytes)
+    return Error{ErrorKind::input, path.string() + ": " + std::to_string(size) +
+                                       " bytes, more than the limit of " +
+                                       std::to_string(max_bytes)};
+  return read_start(path, size);
+}
+
+Result<std::vector<uint8_t>> read_file_head(const fs::path& path, uint64_t max_bytes) {
+  LUEUR_TRY(size, size_of_file(path));
+  return read_start(path, std::min(size, max_bytes));
 }
 
 Result<void> write_file(const fs::path& path, std::span<const uint8_t> bytes) {

@@ -17,6 +17,9 @@ namespace lueur {
 // unreadable file, or one of more than `max_bytes`.
 Result<std::vector<uint8_t>> read_file(const std::filesystem::path& path, uint64_t max_bytes);
 
+// The same for its first bytes alone, `max_bytes` at most, however large the file.
+Result<std::vector<uint8_t>> read_file_head(const std::filesystem::path& path, uint64_t max_bytes);
+
 // Writes `bytes` under a temporary name in the same folder, flushes them to the disk and renames
 // the file to `path`, so that `path` holds either its old content or all of the new one. A path
 // that exists and is not a regular file (a pipe, /dev/stdout, /dev/full) is written in place. Fails

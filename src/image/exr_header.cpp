@@ -33,6 +33,37 @@ constexpr std::array<uint32_t, 10> kBlockLines = {
     0,   // DWAB
 };
 
+struct FixedType {
+  std::string_view name;
+  size_t bytes;
+};
+// The types of attributes whose values have one size. The library reads that many bytes whatever
+// the size in the file is, so that with another one it would go on at another place than we do.
+constexpr std::array kFixedTypes = {FixedType{"box2f", 16},
+                                    FixedType{"box2i", 16},
+                                    FixedType{"chromaticities", 32},
+                                    FixedType{"compression", 1},
+                                    FixedType{"deepImageState", 1},
+                                    FixedType{"double", 8},
+                                    FixedType{"envmap", 1},
+                                    FixedType{"float", 4},
+                                    FixedType{"int", 4},
+                                    FixedType{"keycode", 28},
+                                    FixedType{"lineOrder", 1},
+                                    FixedType{"m33d", 72},
+                                    FixedType{"m33f", 36},
+                                    FixedType{"m44d", 128},
+                                    FixedType{"m44f", 64},
+                                    FixedType{"rational", 8},
+                                    FixedType{"tiledesc", 9},
+                                    FixedType{"timecode", 8},
+                                    FixedType{"v2d", 16},
+                                    FixedType{"v2f", 8},
+                                    FixedType{"v2i", 8},
+                                    FixedType{"v3d", 24},
+                                    FixedType{"v3f", 12},
+                                    FixedType{"v3i", 12}};
+
 // Reads forward through bytes; every read says whether there was enough left.
 class Cursor {
  public:
@@ -113,7 +144,11 @@ Result<void> read_channels(std::span<const uint8_t> value, const std::string& na
   Cursor cursor(value);
   for (;;) {
     const auto channel = cursor.text();
-    if (channel && channel->empty()) break;
+    if (channel && channel->empty()) {
+      // The library stops at the empty name, too, and would take the rest for attributes.
+      if (cursor.left() > 0) return bad_exr(name, "its list of channels is damaged");
+      break;
+    }
     const auto type = cursor.u32();
     const auto linear = cursor.u32();
     const auto sampling_x = cursor.u32();
@@ -127,6 +162,24 @@ Result<void> read_channels(std::span<const uint8_t> value, const std::string& na
       return bad_exr(name, "more than " + std::to_string(kMaxExrChannels) + " channels");
   }
   return {};
+}
+
+// Whether the library reads exactly `value` for an attribute of that type.
+bool has_size_of_type(std::string_view type, std::span<const uint8_t> value) {
+  const auto fixed = std::ranges::find(kFixedTypes, type, &FixedType::name);
+  if (fixed != kFixedTypes.end()) return value.size() == fixed->bytes;
+  Cursor cursor(value);
+  if (type == "floatvector") return value.size() % 4 == 0;
+  if (type == "preview") {
+    const auto width = cursor.u32(), height = cursor.u32();
+    return width && height && uint64_t{*width} * *height == uint64_t{cursor.left()} / 4 &&
+           cursor.left() % 4 == 0;
+  }
+  while (type == "stringvector" && cursor.left() > 0) {
+    const auto length = cursor.u32();
+    if (!length || !cursor.take(*length)) return false;
+  }
+  return true;
 }
 
 }  // namespace
@@ -153,6 +206,10 @@ Result<ExrHeader> check_exr_header(std::span<const uint8_t> bytes, const std::st
     if (!attribute || !type || !size) return bad_exr(name, "its header is damaged");
     const auto value = cursor.take(*size);
     if (!value) return bad_exr(name, "its attribute " + std::string(*attribute) + " is cut short");
+    if (!has_size_of_type(*type, *value))
+      return bad_exr(name, "its attribute " + std::string(*attribute) + " has a wrong size");
+    if (*type == "idmanifest" || (*type == "chlist" && *attribute != "channels"))
+      return bad_exr(name, "attributes of type " + std::string(*type) + " are not supported");
     if (*attribute == "dataWindow") {
       if (header.width != 0) return bad_exr(name, "two attributes dataWindow");
       LUEUR_TRY_VOID(read_data_window(*value, name, header));

@@ -189,6 +189,29 @@ TEST_F(ExrTest, LargeClaimsAreRefusedBeforeMemoryIsTaken) {
   EXPECT_NE(claim(32, 16384).find("cut short"), std::string::npos);
 }
 
+// The library reads by the type of an attribute and passes over its size: with another size it
+// would take the rest of the header for something else than our check saw, sizes of memory among
+// it.
+TEST_F(ExrTest, AttributesHaveTheSizeOfTheirType) {
+  const std::vector<uint8_t> whole = bytes_of(Imf::Header(32, 32));
+  const auto with_a_byte_more = [&](std::string_view head) {
+    std::vector<uint8_t> bytes = whole;
+    const std::string text(bytes.begin(), bytes.end());
+    const size_t size_at = text.find(head) + head.size();
+    uint32_t size = 0;
+    std::memcpy(&size, bytes.data() + size_at, 4);
+    bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(size_at + 4 + size), uint8_t{1});
+    ++size;
+    std::memcpy(bytes.data() + size_at, &size, 4);
+    const auto read = decode_exr(bytes, "sizes");
+    return read.ok() ? std::string() : read.error().message;
+  };
+  using std::string_view_literals::operator""sv;
+  EXPECT_NE(with_a_byte_more("pixelAspectRatio\0float\0"sv).find("wrong size"), std::string::npos);
+  EXPECT_NE(with_a_byte_more("lineOrder\0lineOrder\0"sv).find("wrong size"), std::string::npos);
+  EXPECT_NE(with_a_byte_more("channels\0chlist\0"sv).find("list of channels"), std::string::npos);
+}
+
 TEST_F(ExrTest, EveryTruncationIsRefused) {
   const std::vector<ImageLayer> layers = {layer("", 3, 9, 40), layer("depth", 1, 9, 40)};
   const std::vector<uint8_t> bytes = bytes_of(layers);

@@ -33,8 +33,9 @@ std::vector<double> luminances(const Scene& scene) {
   std::vector<double> result;
   for (const Material& material : scene.materials) {
     glm::dvec3 emission(material.emission);
-    if (material.emission_texture != kNone && luminance(emission) > 0.0)
-      emission *= mean_of(scene.textures[static_cast<size_t>(material.emission_texture)]);
+    const TextureUse& use = material.emission_texture;
+    if (use.is_used() && luminance(emission) > 0.0)
+      emission *= mean_of(scene.textures[static_cast<size_t>(use.texture)]);
     result.push_back(luminance(emission));
   }
   return result;

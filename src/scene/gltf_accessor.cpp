@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "base/try.h"
+#include "scene/scene.h"
 
 namespace lueur {
 namespace {
@@ -212,7 +213,9 @@ Result<AccessorShape> accessor_shape(const GltfFile& file, int32_t index) {
   LUEUR_TRY(accessors, top.array("accessors"));
   LUEUR_TRY(at, accessors.element(static_cast<size_t>(index)));
   LUEUR_TRY(layout, read_layout(file, at));
-  return AccessorShape{layout.count, layout.components, at.has("bufferView") || at.has("sparse")};
+  LUEUR_TRY(view, at.index("bufferView", file.size_of("bufferViews"), "buffer views"));
+  const bool has_data = view == kNone ? at.has("sparse") : file.view_has_data(view);
+  return AccessorShape{layout.count, layout.components, has_data};
 }
 
 Result<std::vector<float>> read_floats(const GltfFile& file, int32_t index) {

@@ -13,7 +13,8 @@ namespace lueur {
 struct AccessorShape {
   uint64_t count = 0;
   uint32_t components = 0;  // 1 to 4, and 16 for MAT4; other matrices are refused
-  bool has_data = false;    // false: all zeros, neither a buffer view nor sparse values
+  // False: all zeros (neither a buffer view nor sparse values), or the file gives no bytes for it.
+  bool has_data = false;
 };
 
 // What accessor `index`, which must exist, claims to hold; its data are not looked at yet.

@@ -77,7 +77,7 @@ struct Keys {
 };
 
 Result<Keys> read_keys(const GltfFile& file, const JsonCursor& sampler, AnimationPath path,
-                       uint64_t& keys_left) {
+                       uint64_t& keys_left, Warnings& warnings) {
   Keys keys;
   LUEUR_TRY(interpolation, read_interpolation(sampler));
   keys.interpolation = interpolation;
@@ -85,6 +85,10 @@ Result<Keys> read_keys(const GltfFile& file, const JsonCursor& sampler, Animatio
   // Spend before reading: many channels may name one large accessor.
   LUEUR_TRY(input, sampler.required_index("input", file.size_of("accessors"), "accessors"));
   LUEUR_TRY(input_shape, accessor_shape(file, input));
+  if (!input_shape.has_data) {
+    warnings.add("animation without key frames is left out");
+    return keys;
+  }
   LUEUR_TRY(output, sampler.required_index("output", file.size_of("accessors"), "accessors"));
   LUEUR_TRY(output_shape, accessor_shape(file, output));
   const uint64_t needed = std::max(input_shape.count, output_shape.count);
@@ -179,12 +183,12 @@ Result<std::vector<AnimationChannel>> read_animation(const GltfFile& file, const
     if (!channel) continue;
     LUEUR_TRY(index, at.required_index("sampler", samplers.size(), "samplers"));
     LUEUR_TRY(sampler, samplers.element(static_cast<size_t>(index)));
-    LUEUR_TRY(keys, read_keys(file, sampler, channel->path, keys_left));
+    LUEUR_TRY(keys, read_keys(file, sampler, channel->path, keys_left, warnings));
     for (size_t column = 0; column < keys.columns; ++column) {
       AnimationChannel one = *channel;
       one.morph_target = static_cast<uint32_t>(column);
       LUEUR_TRY_VOID(take_column(sampler, keys, column, one));
-      result.push_back(std::move(one));
+      if (!one.times_s.empty()) result.push_back(std::move(one));
     }
   }
   return result;

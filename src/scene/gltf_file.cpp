@@ -10,6 +10,7 @@
 #include "base/try.h"
 #include "scene/gltf_meshopt.h"
 #include "scene/gltf_uri.h"
+#include "scene/scene.h"
 
 namespace lueur {
 namespace {
@@ -68,6 +69,20 @@ Result<GltfFile> GltfFile::open(const std::filesystem::path& path, const LoadLim
   file.limits_ = limits;
   LUEUR_TRY(bytes, read_file(path, limits.file_bytes));
   file.bytes_ = std::move(bytes);
+  return parse(std::move(file));
+}
+
+Result<GltfFile> GltfFile::from_bytes(std::vector<uint8_t> bytes, const std::string& name,
+                                      const LoadLimits& limits) {
+  GltfFile file;
+  file.name_ = name;
+  file.limits_ = limits;
+  file.bytes_ = std::move(bytes);
+  return parse(std::move(file));
+}
+
+Result<GltfFile> GltfFile::parse(GltfFile file) {
+  const LoadLimits& limits = file.limits_;
   file.bytes_read_ = file.bytes_.size();
 
   // Tell the two containers apart by content; names lie.
@@ -77,8 +92,13 @@ Result<GltfFile> GltfFile::open(const std::filesystem::path& path, const LoadLim
 
   const std::string_view text(reinterpret_cast<const char*>(file.json_text_.data()),
                               file.json_text_.size());
+  if (text.starts_with("\xef\xbb\xbf"))
+    file.add_container_fault("the JSON text starts with a byte order mark");
   LUEUR_TRY(json, parse_json(text, file.name_, limits.json_depth, limits.json_values));
   file.json_ = std::move(json);
+  if (const auto key = find_duplicate_key(text))
+    file.add_container_fault("JSON key " + in_quotes(*key) +
+                             " comes twice in one object: the last one counts");
   LUEUR_TRY_VOID(file.check_header());
   LUEUR_TRY_VOID(file.read_buffers());
   LUEUR_TRY_VOID(file.decode_views());
@@ -97,10 +117,15 @@ Result<void> GltfFile::split_glb() {
     return refuse("GLB header tells " + std::to_string(length) + " bytes, the file has " +
                   std::to_string(bytes_.size()));
 
+  if (length < bytes_.size())
+    add_container_fault("GLB header tells " + std::to_string(length) + " bytes, the file has " +
+                        std::to_string(bytes_.size()));
+
   // Walk the chunks: JSON comes first, then at most one binary chunk; unknown ones are skipped.
   const std::span<const uint8_t> all = std::span(bytes_).first(length);
   size_t offset = kGlbHeaderBytes;
   bool has_json = false;
+  size_t chunk_count = 0;
   while (offset < all.size()) {
     if (all.size() - offset < kChunkHeaderBytes) return refuse("GLB chunk header is truncated");
     const uint64_t chunk_bytes = read_u32(all, offset);
@@ -111,11 +136,18 @@ Result<void> GltfFile::split_glb() {
                     std::to_string(all.size() - offset) + " are left");
     const std::span<const uint8_t> chunk = all.subspan(offset, chunk_bytes);
     if (!has_json && type != kJsonChunk) return refuse("GLB does not start with a JSON chunk");
+    ++chunk_count;
+    if (chunk_bytes % 4 != 0)
+      add_container_fault("a GLB chunk has " + std::to_string(chunk_bytes) +
+                          " bytes, not a multiple of 4");
     if (type == kJsonChunk && !has_json) {
       json_text_ = chunk;
       has_json = true;
     } else if (type == kBinaryChunk && !binary_chunk_) {
       binary_chunk_ = chunk;
+      if (chunk_count != 2) add_container_fault("the binary GLB chunk is not the second chunk");
+    } else if (type == kJsonChunk || type == kBinaryChunk) {
+      add_container_fault("a second GLB chunk of one kind is ignored");
     }
     // Step over the padding that a writer may have left out of the length.
     offset = std::min<size_t>((offset + chunk_bytes + 3) & ~size_t{3}, all.size());
@@ -229,13 +261,45 @@ Result<void> GltfFile::decode_views() {
   return {};
 }
 
+void GltfFile::add_container_fault(std::string what) {
+  constexpr size_t kMaxFaults = 8;  // a file may have millions of chunks
+  if (container_faults_.size() < kMaxFaults) container_faults_.push_back(std::move(what));
+}
+
+bool GltfFile::view_has_data(int32_t view) const {
+  if (decoded_views_[static_cast<size_t>(view)]) return true;
+  const JsonCursor top = root();
+  const auto views = top.array("bufferViews");
+  if (!views.ok()) return true;
+  const auto at = views->element(static_cast<size_t>(view));
+  if (!at.ok()) return true;
+  const auto buffer = at->index("buffer", buffers_.size(), "buffers");
+  return !buffer.ok() || *buffer == kNone || has_data(static_cast<size_t>(*buffer));
+}
+
+uint64_t GltfFile::buffer_bytes() const {
+  uint64_t sum = 0;
+  for (const Buffer& buffer : buffers_) sum += buffer.bytes ? buffer.bytes->size() : 0;
+  return sum;
+}
+
+Result<std::vector<uint8_t>> GltfFile::head_of_uri(const std::string& uri, size_t max_bytes) const {
+  if (is_data_uri(uri)) return decode_data_uri(uri);
+  if (!folder_) return Error{ErrorKind::input, "names another file"};
+  LUEUR_TRY(path, confined_path(*folder_, uri));
+  return read_file_head(path, max_bytes);
+}
+
 Result<std::vector<uint8_t>> GltfFile::read_uri(const std::string& uri, const JsonCursor& at) {
   if (is_data_uri(uri)) {
     auto data = decode_data_uri(uri);
     if (!data.ok()) return at.error("uri", data.error().message);
     return data;
   }
-  const auto path = confined_path(folder_, uri);
+  if (!folder_)
+    return at.error("uri",
+                    "names another file, but this one was read from memory; pack all into one");
+  const auto path = confined_path(*folder_, uri);
   if (!path.ok()) return at.error("uri", path.error().message);
   auto bytes = read_file(*path, limits_.file_bytes - std::min(bytes_read_, limits_.file_bytes));
   if (!bytes.ok()) return at.error("uri", bytes.error().message);

@@ -26,7 +26,12 @@ class GltfFile {
  public:
   // Reads the file and all its buffers and refuses required extensions that are not supported.
   static Result<GltfFile> open(const std::filesystem::path& path, const LoadLimits& limits);
+  // The same for a file that is in memory, which `name` stands for in messages. It has no folder:
+  // all its buffers and images have to be in it.
+  static Result<GltfFile> from_bytes(std::vector<uint8_t> bytes, const std::string& name,
+                                     const LoadLimits& limits);
 
+  const Json& json() const { return json_; }
   JsonCursor root() const { return JsonCursor(json_, name_); }
   const LoadLimits& limits() const { return limits_; }
   const std::string& name() const { return name_; }
@@ -41,12 +46,29 @@ class GltfFile {
   // Buffer view `view`, which must be below size_of("bufferViews"). Valid as long as the file.
   Result<View> view(int32_t view) const;
 
+  bool is_binary() const { return json_text_.data() != bytes_.data(); }
+  // Whether the file gives the bytes of a buffer, which must be below size_of("buffers").
+  bool has_data(size_t buffer) const { return buffers_[buffer].bytes.has_value(); }
+  // Whether the buffer of a view gives its bytes; true for views that are malformed.
+  bool view_has_data(int32_t view) const;
+  // All buffers together.
+  uint64_t buffer_bytes() const;
+
+  // Where the container and its text break the rules of glTF without being in the way of reading
+  // it.
+  const std::vector<std::string>& container_faults() const { return container_faults_; }
+
+  // Of the file that `uri` names, its first bytes, at most `max_bytes`.
+  Result<std::vector<uint8_t>> head_of_uri(const std::string& uri, size_t max_bytes) const;
+
   // What `uri` at `at` holds; counts towards LoadLimits::file_bytes.
   Result<std::vector<uint8_t>> read_uri(const std::string& uri, const JsonCursor& at);
 
  private:
   GltfFile() = default;
+  static Result<GltfFile> parse(GltfFile file);
   Result<void> split_glb();
+  void add_container_fault(std::string what);
   Result<void> check_header() const;
   Result<void> read_buffers();
   Result<void> decode_views();
@@ -59,7 +81,7 @@ class GltfFile {
   };
 
   std::string name_;
-  std::filesystem::path folder_;
+  std::optional<std::filesystem::path> folder_;  // none: the file is in memory
   LoadLimits limits_;
   std::vector<uint8_t> bytes_;
   std::span<const uint8_t> json_text_;
@@ -68,6 +90,7 @@ class GltfFile {
   std::vector<Buffer> buffers_;
   std::vector<std::optional<std::vector<uint8_t>>> decoded_views_;  // of compressed views
   uint64_t bytes_read_ = 0;
+  std::vector<std::string> container_faults_;
 };
 
 }  // namespace lueur

@@ -129,6 +129,14 @@ TEST_F(GltfTest, NodesThatAreNotATreeAreRefused) {
                  {"node 1", "not finite"});
 }
 
+TEST_F(GltfTest, VerticesMovedToInfinityAreRefused) {
+  expect_refused(with(with(triangle_json(), base64(triangle_bytes()),
+                           base64(bytes_of<float>({0, 0, 0, 1e30f, 0, 0, 0, 1, 0}) +
+                                  bytes_of<uint16_t>({0, 1, 2}))),
+                      R"([{"mesh":0}])", R"([{"mesh":0,"scale":[1e10,1,1]}])"),
+                 {"mesh 'tri'", "beyond the range"});
+}
+
 TEST_F(GltfTest, ATowerOfNodesDoesNotOverflowTheStack) {
   std::string nodes = R"([{"mesh":0})";
   for (int i = 0; i < 200'000; ++i) nodes += ",{\"children\":[" + std::to_string(i) + "]}";
@@ -145,9 +153,23 @@ TEST_F(GltfTest, UrisStayInTheFolder) {
   for (const char* bad : {"../secret.bin", "%2e%2e/secret.bin", "a/../../secret.bin", "/etc/passwd",
                           "file:///etc/passwd", "http://example.com/a.bin", "..", "%", "a%00b"})
     expect_refused(with(json, uri, bad), {"buffers[0].uri", std::string("'") + bad});
+  expect_refused(with(json, uri, "%2fetc/passwd"), {"buffers[0].uri", "leads out"});
+  fs::create_symlink(folder_, folder_ / "asset" / "up");
+  expect_refused(with(json, uri, "up/secret.bin"), {"buffers[0].uri", "leads out"});
   fs::create_symlink(folder_ / "secret.bin", folder_ / "asset" / "link.bin");
   expect_refused(with(json, uri, "link.bin"), {"buffers[0].uri", "leads out"});
   expect_refused(with(json, uri, "data:;base64,####"), {"buffers[0].uri", "base64"});
+}
+
+TEST_F(GltfTest, AFileInMemoryNamesNoOthers) {
+  const std::string json = triangle_json();
+  const auto decode = [](const std::string& text) {
+    return decode_gltf({text.begin(), text.end()}, "file.gltf");
+  };
+  EXPECT_TRUE(decode(json).ok());
+  const auto scene = decode(with(json, data_uri(triangle_bytes()), "triangle.bin"));
+  ASSERT_FALSE(scene.ok());
+  EXPECT_NE(scene.error().message.find("buffers[0].uri"), std::string::npos);
 }
 
 TEST_F(GltfTest, LimitsAreCheckedBeforeMemoryIsTaken) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf_json.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -80,6 +81,32 @@ Result<Json> parse_json(std::string_view text, const std::string& file, uint32_t
   } catch (const Json::exception&) {
     return Error{ErrorKind::input, file + ": the JSON holds a number that is out of range"};
   }
+}
+
+std::optional<std::string_view> find_duplicate_key(std::string_view text) {
+  std::vector<std::string_view> keys;  // of all objects that are open, the outer ones first
+  std::vector<size_t> first_keys;      // where each of them starts
+  std::string_view last_string;
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c == '"') {
+      const size_t start = ++i;
+      while (i < text.size() && text[i] != '"') i += text[i] == '\\' ? 2 : 1;
+      last_string = text.substr(start, i - start);
+    } else if (c == ':') {
+      keys.push_back(last_string);
+    } else if (c == '{') {
+      first_keys.push_back(keys.size());
+    } else if (c == '}' && !first_keys.empty()) {
+      const auto first = keys.begin() + static_cast<std::ptrdiff_t>(first_keys.back());
+      std::sort(first, keys.end());
+      const auto twice = std::adjacent_find(first, keys.end());
+      if (twice != keys.end()) return *twice;
+      keys.erase(first, keys.end());
+      first_keys.pop_back();
+    }
+  }
+  return std::nullopt;
 }
 
 const Json* JsonCursor::find(const char* key) const {

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -26,6 +27,9 @@ std::string in_quotes(std::string_view text);
 Result<Json> parse_json(std::string_view text, const std::string& file, uint32_t max_depth,
                         uint64_t max_values);
 
+// The first key, as it is written, that an object of a valid JSON text has twice.
+std::optional<std::string_view> find_duplicate_key(std::string_view text);
+
 // A place in a document. It points at its parent cursor, which must outlive it: keep cursors in
 // local variables, from the root down.
 class JsonCursor {
@@ -43,6 +47,13 @@ class JsonCursor {
   // An element of this array that has to be an object. `index` must be below size().
   Result<JsonCursor> element(size_t index) const&;
   Result<JsonCursor> element(size_t index) const&& = delete;
+
+  // What stands here, whatever its type, and a member or element that is known to be there.
+  const Json& value() const { return *value_; }
+  JsonCursor member(const char* key) const& { return {value_->at(key), *this, key, 0}; }
+  JsonCursor item(size_t index) const& { return {(*value_)[index], *this, nullptr, index}; }
+  JsonCursor member(const char* key) const&& = delete;
+  JsonCursor item(size_t index) const&& = delete;
 
   // A member of the given type; `fallback` if it is absent.
   Result<bool> boolean(const char* key, bool fallback) const;

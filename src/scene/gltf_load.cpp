@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf_load.h"
 
+#include <cmath>
 #include <new>
 #include <string>
 #include <utility>
 
 #include "base/try.h"
+#include "scene/conformance/conformance.h"
+#include "scene/deform.h"
 #include "scene/gltf_animation.h"
 #include "scene/gltf_file.h"
 #include "scene/gltf_material.h"
@@ -115,9 +118,46 @@ class InstanceReader {
   GeometryBudget budget_;
 };
 
-Result<Scene> read_scene(const std::filesystem::path& path, const LoadLimits& limits) {
-  LUEUR_TRY(file, GltfFile::open(path, limits));
+Error beyond_floats(const GltfFile& file, const Mesh& mesh) {
+  return {ErrorKind::input, file.name() + ": the vertices of mesh " + in_quotes(mesh.name) +
+                                " lie beyond the range of 32-bit floats in the world; scale the "
+                                "model down"};
+}
+
+// Finite vertices and a finite transform can still multiply to infinity.
+Result<void> refuse_infinite_vertices(const GltfFile& file, const Scene& scene) {
+  std::vector<glm::vec3> reach;  // of each mesh from its origin along each axis
+  for (const Mesh& mesh : scene.meshes) {
+    glm::vec3 largest(0.0f);
+    for (const Vertex& vertex : mesh.vertices)
+      largest = glm::max(largest, glm::abs(vertex.position));
+    reach.push_back(largest);
+  }
+  const std::vector<glm::mat4> world_from_node = pose(scene, 0.0f);
+  for (const MeshInstance& instance : scene.instances) {
+    const glm::mat4& world = world_from_node[static_cast<size_t>(instance.node)];
+    glm::vec3 bound = glm::abs(glm::vec3(world[3]));
+    for (int axis = 0; axis < 3; ++axis)
+      bound += glm::abs(glm::vec3(world[axis])) * reach[static_cast<size_t>(instance.mesh)][axis];
+    if (!std::isfinite(bound.x + bound.y + bound.z))
+      return beyond_floats(file, scene.meshes[static_cast<size_t>(instance.mesh)]);
+  }
+  for (const DeformedInstance& deformed : deformed_instances(scene, world_from_node, 0.0f)) {
+    const MeshInstance& instance = scene.instances[deformed.instance];
+    const glm::mat4 world = world_from_instance(instance, world_from_node);
+    for (const Vertex& vertex : deformed.vertices) {
+      const glm::vec4 at = world * glm::vec4(vertex.position, 1.0f);
+      if (!std::isfinite(at.x + at.y + at.z))
+        return beyond_floats(file, scene.meshes[static_cast<size_t>(instance.mesh)]);
+    }
+  }
+  return {};
+}
+
+Result<Scene> read_scene(Result<GltfFile> opened, const std::filesystem::path& path) {
+  LUEUR_TRY(file, std::move(opened));
   Warnings warnings;
+  for (const std::string& fault : conformance_faults(file)) warnings.add(fault);
   LUEUR_TRY_VOID(warn_of_extensions(file, warnings));
   GltfTextures textures(file, warnings);
   GltfMaterials materials(file, textures, warnings);
@@ -130,6 +170,7 @@ Result<Scene> read_scene(const std::filesystem::path& path, const LoadLimits& li
   LUEUR_TRY(cameras, read_cameras(file, tree, warnings));
   LUEUR_TRY(lights, read_lights(file, tree, warnings));
   LUEUR_TRY(animation, read_animation(file, tree, warnings));
+  LUEUR_TRY_VOID(refuse_infinite_vertices(file, scene));
   // Decode last: only what the meshes turned out to use.
   LUEUR_TRY(decoded, textures.decode());
   scene.cameras = std::move(cameras);
@@ -142,14 +183,27 @@ Result<Scene> read_scene(const std::filesystem::path& path, const LoadLimits& li
   return scene;
 }
 
+Error out_of_memory(const std::string& name) {
+  return {ErrorKind::memory, name + ": not enough memory to load it"};
+}
+
 }  // namespace
 
 Result<Scene> load_gltf(const std::filesystem::path& path, const LoadLimits& limits) {
   // Catch here what the parser and the containers may throw: no exception leaves this folder.
   try {
-    return read_scene(path, limits);
+    return read_scene(GltfFile::open(path, limits), path);
   } catch (const std::bad_alloc&) {
-    return Error{ErrorKind::memory, path.string() + ": not enough memory to load it"};
+    return out_of_memory(path.string());
+  }
+}
+
+Result<Scene> decode_gltf(std::vector<uint8_t> bytes, const std::string& name,
+                          const LoadLimits& limits) {
+  try {
+    return read_scene(GltfFile::from_bytes(std::move(bytes), name, limits), name);
+  } catch (const std::bad_alloc&) {
+    return out_of_memory(name);
   }
 }
 

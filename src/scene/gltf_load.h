@@ -17,6 +17,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "lueur/result.h"
 #include "scene/load_limits.h"
@@ -28,5 +30,9 @@ namespace lueur {
 // and images are read only from the folder of `path` and below it. The scene has no default camera
 // or light; see scene/framing.h.
 Result<Scene> load_gltf(const std::filesystem::path& path, const LoadLimits& limits = {});
+
+// The same for the bytes of a file, which `name` stands for in messages. No other file is read.
+Result<Scene> decode_gltf(std::vector<uint8_t> bytes, const std::string& name,
+                          const LoadLimits& limits = {});
 
 }  // namespace lueur

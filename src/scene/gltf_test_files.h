@@ -58,7 +58,7 @@ inline std::string triangle_json() {
 "buffers":[{"byteLength":42,"uri":")" +
          data_uri(triangle_bytes()) + R"("}],
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],
-"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"},
+"accessors":[{"bufferView":0,"min":[0,0,0],"max":[1,1,0],"componentType":5126,"count":3,"type":"VEC3"},
 {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]})";
 }
 

@@ -101,6 +101,22 @@ bool is_data_uri(std::string_view uri) {
   return uri.starts_with("data:");
 }
 
+std::optional<std::string_view> media_type(std::string_view data_uri) {
+  constexpr size_t kPrefix = 5;  // "data:"
+  const size_t comma = data_uri.find(',');
+  if (!is_data_uri(data_uri) || comma == std::string_view::npos) return std::nullopt;
+  std::string_view rest = data_uri.substr(kPrefix, comma - kPrefix);
+  const std::string_view type = rest.substr(0, rest.find(';'));
+  rest.remove_prefix(type.size());
+  while (!rest.empty()) {
+    const std::string_view parameter = rest.substr(1, rest.find(';', 1) - 1);
+    rest.remove_prefix(parameter.size() + 1);
+    const bool is_base64 = parameter == "base64" && rest.empty();
+    if (!is_base64 && parameter.find('=') == std::string_view::npos) return std::nullopt;
+  }
+  return type;
+}
+
 Result<std::vector<uint8_t>> decode_data_uri(std::string_view uri) {
   const size_t comma = uri.find(',');
   if (comma == std::string_view::npos)

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,5 +28,9 @@ Result<std::filesystem::path> confined_path(const std::filesystem::path& folder,
 Result<std::filesystem::path> confined_file(const std::filesystem::path& folder, std::string name);
 
 bool is_data_uri(std::string_view uri);
+
+// The media type of a data URI, empty where it gives none. None if what stands before the comma is
+// not "data:<type>;<name>=<value>...;base64", all parts of which may be left out.
+std::optional<std::string_view> media_type(std::string_view data_uri);
 
 }  // namespace lueur

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "scene/deform.h"
 #include "scene/obj_load.h"
 
 namespace lueur {
@@ -26,7 +27,7 @@ TEST(ObjCorpus, CornellBoxesLoadAndShine) {
       shines = shines || material.emission.r >= 10.0f;
     EXPECT_TRUE(shines) << entry.path();
     EXPECT_GE(triangle_count(*scene), 12u) << entry.path();
-    const Bounds box = bounds(*scene, pose(*scene, 0.0f));
+    const Bounds box = bounds_at(*scene, 0.0f);
     EXPECT_NEAR(box.max.x - box.min.x, 2.0f, 0.05f) << entry.path();
     EXPECT_NEAR(box.min.y, 0.0f, 0.01f) << entry.path();
   }
