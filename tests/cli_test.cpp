@@ -294,6 +294,22 @@ TEST_F(Cli, ExportedSceneRenders) {
   EXPECT_TRUE(read_png(folder_ / "x.png").ok());
 }
 
+TEST_F(Cli, ObjectTakesThePlaceOfTheScenesOwn) {
+  ASSERT_EQ(run({"scene", "export", "cornell", "-o", "cornell.glb"}).code, 0);
+  const Ended info = run({"scene", "info", "--object", "cornell.glb", "floating-object", "--json"});
+  ASSERT_EQ(info.code, 0) << info.err;
+  const auto json = nlohmann::json::parse(info.out);
+  EXPECT_EQ(json["scene"], "floating-object:object=cornell.glb");
+  EXPECT_LT(json["triangles"], 10'000);  // not the 69 000 of its own
+  EXPECT_EQ(json["cameras"][0]["name"], "front");
+
+  // Scenes without an object, files and missing files are refused in one line.
+  expect_error(2, {"scene", "info", "cornell", "--object", "cornell.glb"}, "divider-room");
+  expect_error(2, {"scene", "info", "cornell.glb", "--object", "cornell.glb"}, "divider-room");
+  expect_error(2, {"bench", "--object", "cornell.glb"}, "'atrium' has no object");
+  expect_error(3, {"scene", "info", "divider-room", "--object", "missing.glb"}, "missing.glb");
+}
+
 TEST_F(Cli, OddSizes) {
   for (const auto& [size, width, height] :
        {std::tuple("1x1", 1u, 1u), {"37x61", 37u, 61u}, {"1x40", 1u, 40u}}) {

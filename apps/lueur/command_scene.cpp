@@ -163,7 +163,7 @@ Outcome run_list(const Options& options) {
 }
 
 Outcome run_info(const Options& options) {
-  LUEUR_TRY(loaded, load_scene(options.scene, options.limits));
+  LUEUR_TRY(loaded, load_scene(options.scene, {}, options.limits));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
   const Json info = info_json(options.scene, loaded);
   LUEUR_TRY_VOID(options.json ? print_json(info) : print_data(info_text(info)));
@@ -174,7 +174,7 @@ Outcome run_export(const Options& options) {
   if (ending_of(options.output) != ".glb")
     return Error{ErrorKind::usage, "-o '" + options.output + "': the name has to end in .glb"};
   LUEUR_TRY_VOID(check_writable(options.output));
-  LUEUR_TRY(loaded, load_scene(options.scene, options.limits));
+  LUEUR_TRY(loaded, load_scene(options.scene, {}, options.limits));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
   LUEUR_TRY_VOID(export_glb(loaded.scene, options.output));
   print_progress("wrote " + options.output);

@@ -8,6 +8,7 @@
 #include "destination.h"
 #include "frame_options.h"
 #include "image/png.h"
+#include "limit_option.h"
 #include "sheet_job.h"
 
 namespace lueur::cli {
@@ -20,6 +21,7 @@ struct Options {
   std::string time_s = "0";
   std::string device;
   TechniqueOptions technique;
+  LoadLimits limits;
   bool all_cameras = false;
   bool json = false;
 };
@@ -56,6 +58,7 @@ Result<SheetJob> check(const Options& options) {
   job.technique = std::move(technique);
   job.all_cameras = options.all_cameras;
   job.device = options.device;
+  job.limits = options.limits;
   job.json = options.json;
   job.command = command_of(options);
   LUEUR_TRY_VOID(check_writable(job.page));
@@ -71,7 +74,7 @@ Outcome run(const Options& options) {
 
 constexpr char kFooter[] =
     "SCENE is a built-in scene, a scene file, or a folder, which is searched with all folders\n"
-    "below it for .gltf and .glb files; without one, all built-in scenes are drawn.\n"
+    "below it for .gltf, .glb and .obj files; without one, all built-in scenes are drawn.\n"
     "\n"
     "Writes a page that needs no network and no other file: a picture of each scene with its\n"
     "name, triangles, time to load and warnings, and below them what could not be drawn and why.\n"
@@ -101,6 +104,7 @@ void add_scene_sheet(CLI::App& scene, Outcome& outcome) {
       ->type_name("SECONDS");
   command->add_flag("--all-cameras", options->all_cameras, "A picture for each camera");
   add_technique_options(*command, options->technique);
+  add_limit_option(*command, options->limits);
   command->add_option("--device", options->device, "Number or name, see `lueur devices`")
       ->type_name("N|NAME");
   command->add_flag("--json", options->json, "Report as one JSON object on stdout");

@@ -45,7 +45,7 @@ Result<report::SheetPicture> draw_camera(const SheetJob& job, Session& session, 
 // Scene and renderer live no longer than this call, so that one scene at a time takes memory.
 Result<report::SheetScene> draw_scene(const SheetJob& job, Session& session,
                                       const SceneSource& source, const std::stop_token& stop) {
-  LUEUR_TRY(loaded, load_scene(source.spec));
+  LUEUR_TRY(loaded, load_scene(source.spec, {}, job.limits));
   const Scene& scene = loaded.scene;
   LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, scene));
   report::SheetScene drawn{.name = scene.name,

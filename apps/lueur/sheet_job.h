@@ -8,6 +8,7 @@
 
 #include "commands.h"
 #include "lueur/image.h"
+#include "scene/load_limits.h"
 #include "scene_files.h"
 #include "technique_list.h"
 
@@ -19,6 +20,7 @@ struct SheetJob {
   Extent size;
   float time_s = 0;
   bool all_cameras = false;  // else the first of each scene
+  LoadLimits limits;         // of each scene
   std::string device;
   std::filesystem::path page;
   std::string command;  // that makes the page again

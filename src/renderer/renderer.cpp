@@ -273,7 +273,7 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   images.composed = frame.image("composed", shot.extent, Format::rgba16f);
   passes.compose(images);
   if (state_->background)
-    state_->background->record(frame, shot.extent, world_from_camera(now[node]),
+    state_->background->record(frame, shot.extent, world_from_camera(now.world_from_node[node]),
                                camera.vertical_fov_rad, images.depth, images.composed);
   return images;
 }

@@ -24,8 +24,8 @@ constexpr float kBackWall = -1.86f;
 void add_room_of_plants(Scene& scene) {
   const int32_t plaster = add_patterned_material(scene, "plaster", {0.92f, 0.88f, 0.80f}, 0.95f,
                                                  256, 2.0f, plaster_pattern());
-  const int32_t wood =
-      add_patterned_material(scene, "wood", glm::vec3(1.6f), 0.6f, 256, 1.0f, wood_pattern());
+  const int32_t wood = add_patterned_material(scene, "wood", glm::vec3(1.0f), 0.6f, 256, 1.0f,
+                                              board_pattern(kOakDark, kOakLight));
   Room room{.min = {-3.0f, 0, kBackWall}, .max = {3.0f, 3.2f, 3.6f}};
   room.left = room.right = room.back = room.front = room.ceiling = plaster;
   room.floor =
@@ -48,7 +48,7 @@ void add_room_of_plants(Scene& scene) {
 
 void add_basket(Scene& scene, int32_t soil) {
   // Stained a deep orange: what it throws back is easy to tell from all else.
-  const int32_t wicker = add_patterned_material(scene, "wicker", {1.0f, 0.46f, 0.13f}, 0.7f, 256,
+  const int32_t wicker = add_patterned_material(scene, "wicker", {1.0f, 0.55f, 0.20f}, 0.7f, 256,
                                                 0.5f, cloth_pattern());
   const int32_t leaves = add_material(scene, "leaves", {0.13f, 0.34f, 0.07f}, 0.6f);
   const int32_t petals = add_material(scene, "petals", {0.90f, 0.88f, 0.80f}, 0.8f);
@@ -136,7 +136,7 @@ void add_lamps(Scene& scene) {
   animate_rotation(scene, hidden, 40, [=](float phase) {
     return look_along(kLitPlace + glm::vec3(0.05f * std::sin(2 * kPi * phase), 0, 0) - behind);
   });
-  lamp("lamp above", {-2.7f, 3.0f, 1.2f}, {-1.75f, 0.0f, -0.35f}, 0.75f, 0.8f * kLux);
+  lamp("lamp above", {-2.7f, 3.0f, 1.4f}, {-1.75f, 0.0f, -0.10f}, 0.95f, 0.8f * kLux);
   scene.exposure_ev = 1.1f + exposure_for(0.75f, kLux);
 }
 
@@ -145,14 +145,14 @@ void add_lamps(Scene& scene) {
 Scene make_basket() {
   Scene scene;
   scene.name = "basket";
-  const glm::vec3 target{-0.10f, 0.86f, -0.9f};
+  const glm::vec3 target{-0.28f, 0.84f, -0.9f};
   const auto eye = [](float phase) {
     const float angle = 2 * kPi * phase;
-    return glm::vec3(0.25f * std::sin(angle), 1.45f + 0.10f * std::sin(2 * angle), 3.1f);
+    return glm::vec3(0.25f * std::sin(angle), 1.50f + 0.10f * std::sin(2 * angle), 3.35f);
   };
-  const int32_t camera = add_camera(scene, "front", eye(0), target, 0.72f);
+  const int32_t camera = add_camera(scene, "front", eye(0), target, 0.82f);
   animate_camera(scene, camera, 40, eye, [=](float) { return target; });
-  add_camera(scene, "side", {-1.25f, 1.25f, -1.70f}, {0.30f, 0.60f, -0.95f}, 1.0f);
+  add_camera(scene, "side", {-0.85f, 1.2f, -1.74f}, {0.24f, 0.60f, -0.98f}, 1.05f);
   add_room_of_plants(scene);
   const int32_t soil = add_material(scene, "soil", {0.07f, 0.045f, 0.03f}, 1.0f);
   add_basket(scene, soil);

@@ -47,14 +47,15 @@ Result<Scene> make_atrium_checked(const SceneParameters& parameters) {
 constexpr auto kScenes = std::to_array<BuiltinScene>({
     {"atrium", "colonnaded courtyard in the sun with coloured drapes (triangles=10000…1000000)",
      make_atrium_checked},
-    {"basket", "a basket lit on the side that the camera does not see, before a wall",
+    {"basket", "a basket lit on the side that the camera does not see (91 000 triangles)",
      make_fixed<builtin::make_basket>},
     {"cornell", "the measured Cornell box, ten times its size", make_fixed<builtin::make_cornell>},
-    {"divider-room", "a dragon of 60 000 triangles on its way around a divider in a coloured room",
+    {"divider-room",
+     "a dragon of 60 000 triangles on its way around a divider in a coloured room (70 000)",
      make_fixed<builtin::make_divider_room>, true},
     {"dominoes", "coloured dominoes toppling over a polished floor (1400 triangles)",
      make_fixed<builtin::make_dominoes>},
-    {"floating-object", "a dragon of 70 000 triangles afloat in a box under a spotlight",
+    {"floating-object", "a dragon of 69 000 triangles afloat in a box under a spotlight (70 000)",
      make_fixed<builtin::make_floating_object>, true},
     {"graveyard", "tombstones, crypt and bare trees by moonlight (120000 triangles)",
      make_fixed<builtin::make_graveyard>},
@@ -62,7 +63,7 @@ constexpr auto kScenes = std::to_array<BuiltinScene>({
      make_fixed<builtin::make_spot_floor>},
     {"still-life", "vessels, fruit and a skull, lit also by letters out of view (200000 triangles)",
      make_fixed<builtin::make_still_life>},
-    {"table", "a table and its soft shadow in the light of a sunlit wall",
+    {"table", "a table and its soft shadow in the light of a sunlit wall (58 000 triangles)",
      make_fixed<builtin::make_table>},
 });
 
@@ -103,6 +104,7 @@ Result<SceneParameters> parse_parameters(std::string_view spec, std::string_view
   if (!text.starts_with(kObject))
     return usage(where + "unknown parameter '" + std::string(text) +
                  "'; there are triangles=N and object=FILE");
+  if (text == kObject) return usage(where + "object= (or --object) needs the name of a file");
   parameters.object = text.substr(kObject.size());
   return parameters;
 }

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
 #include <map>
 #include <set>
 #include <string>
@@ -14,11 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include "scene/builtin/detailed_object.h"
-#include "scene/builtin/procedural_texture.h"
-#include "scene/builtin/scene_builder.h"
-#include "scene/builtin/shapes.h"
-#include "scene/gltf_export.h"
 #include "scene/scene.h"
 
 namespace lueur {
@@ -247,7 +241,7 @@ TEST_P(EveryBuiltin, LightsReachSomething) {
 INSTANTIATE_TEST_SUITE_P(Builtin, EveryBuiltin,
                          testing::Values("atrium", "atrium:triangles=10000", "basket", "cornell",
                                          "divider-room", "dominoes", "floating-object", "graveyard",
-                                         "spot-floor", "still-life"),
+                                         "spot-floor", "still-life", "table"),
                          [](const auto& instance) {
                            std::string name;
                            for (const char c : instance.param) name += std::isalnum(c) ? c : '_';
@@ -381,99 +375,7 @@ TEST(SpotFloor, LightsNothingButTheFloor) {
   }
 }
 
-// A red brick 2 x 1 x 4 m that hangs off the origin, lit and filmed by its file, and moving.
-Scene brick() {
-  Scene scene;
-  const int32_t red = builtin::add_material(scene, "brick red", {0.6f, 0.1f, 0.1f});
-  builtin::bind_pattern(scene, red, "brick", 16, 1.0f, builtin::masonry_pattern());
-  builtin::MeshBuilder builder;
-  builder.set_material(red);
-  builtin::add_box(builder, {5, 5, 5}, {7, 6, 9}, builtin::Tessellation{10.0f});
-  const int32_t node = builtin::add_mesh(scene, builder.finish("brick"));
-  builtin::animate_translation(scene, node, 4, [](float t) { return glm::vec3(0, 9 * t, 0); });
-  builtin::add_camera(scene, "other camera", {0, 0, 9}, {}, 0.8f);
-  scene.lights.push_back({.name = "other light", .node = node});
-  return scene;
-}
-
-class SceneObject : public testing::TestWithParam<std::string> {};
-
-TEST_P(SceneObject, GivesWayToAnother) {
-  const Scene before = make(GetParam());
-  const std::filesystem::path file = testing::TempDir() + "/brick, a:b.glb";
-  ASSERT_TRUE(export_glb(brick(), file).ok());
-  const Scene after = make(GetParam() + ":object=" + file.string());
-  EXPECT_EQ(after.cameras.size(), before.cameras.size());
-  EXPECT_EQ(after.lights.size(), before.lights.size());
-  EXPECT_EQ(after.animation.size(), before.animation.size());
-  EXPECT_EQ(after.exposure_ev, before.exposure_ev);
-  EXPECT_EQ(after.instances.size(), before.instances.size());
-  EXPECT_EQ(after.meshes.size(), before.meshes.size());
-  const auto mesh_bounds = [](const Scene& scene, int32_t mesh, float time_s) {
-    const std::vector<glm::mat4> world = pose(scene, time_s);
-    Bounds box{glm::vec3(1e9f), glm::vec3(-1e9f)};
-    for (const MeshInstance& instance : scene.instances) {
-      if (instance.mesh != mesh) continue;
-      for (const Vertex& v : scene.meshes[mesh].vertices) {
-        const glm::vec3 p = world[instance.node] * glm::vec4(v.position, 1);
-        box = {glm::min(box.min, p), glm::max(box.max, p)};
-      }
-    }
-    return box;
-  };
-  const auto index_of = [](const Scene& scene, const char* name) {
-    const auto found = std::find_if(scene.meshes.begin(), scene.meshes.end(),
-                                    [&](const Mesh& mesh) { return mesh.name == name; });
-    EXPECT_NE(found, scene.meshes.end()) << name;
-    return int32_t(found - scene.meshes.begin());
-  };
-
-  // It keeps its proportions, fills the old box one way, and stands in its middle, on its floor;
-  // at the start only, as the boxes' own axes turn.
-  const Bounds was = mesh_bounds(before, index_of(before, "detailed object"), 0.0f);
-  const int32_t brick = index_of(after, "brick");
-  const Mesh& mesh = after.meshes[brick];
-  EXPECT_EQ(mesh.indices.size(), 36u);
-  const std::vector<glm::mat4> world = pose(after, 0.0f);
-  for (const MeshInstance& instance : after.instances) {
-    if (instance.mesh != brick) continue;
-    const glm::mat4& m = world[instance.node];
-    const float scale = glm::length(glm::vec3(m[0]));
-    EXPECT_NEAR(glm::length(glm::vec3(m[1])), scale, 1e-4f * scale);
-    EXPECT_NEAR(glm::length(glm::vec3(m[2])), scale, 1e-4f * scale);
-    EXPECT_LT(scale, 1.0f);  // four metres do not fit
-  }
-  const Bounds is = mesh_bounds(after, brick, 0.0f);
-  EXPECT_NEAR(is.min.y, was.min.y, 1e-3f);
-  for (const int axis : {0, 1, 2}) {
-    EXPECT_GT(is.min[axis], was.min[axis] - 0.3f);
-    EXPECT_LT(is.max[axis], was.max[axis] + 0.3f);
-  }
-
-  // Its material and textures came along.
-  const Material& material = after.materials[mesh.primitives.at(0).material];
-  EXPECT_EQ(material.name, "brick red");
-  ASSERT_LT(size_t(material.base_color_texture.texture), after.textures.size());
-  EXPECT_EQ(after.textures[material.base_color_texture.texture].width, 16u);
-
-  // It goes where the object went.
-  const Bounds later = mesh_bounds(after, brick, 3.0f);
-  const Bounds object_later = mesh_bounds(before, index_of(before, "detailed object"), 3.0f);
-  EXPECT_NEAR(later.min.y, object_later.min.y, 1e-3f);
-}
-
-INSTANTIATE_TEST_SUITE_P(Builtin, SceneObject, testing::Values("divider-room", "floating-object"),
-                         [](const auto& instance) {
-                           return instance.param.substr(0, instance.param.find('-'));
-                         });
-
-TEST(SceneObjects, AreInTheScenesThatSaySo) {
-  for (const BuiltinScene& scene : builtin_scenes())
-    EXPECT_EQ(builtin::has_detailed_object(make(std::string(scene.name))), scene.has_object)
-        << scene.name;
-}
-
-TEST(SceneObjects, HaveThePapersTriangleCounts) {
+TEST(Builtin, HaveThePapersTriangleCountsAndThoseOfTheirSummaries) {
   const auto object_triangles = [](const Scene& scene) {
     size_t most = 0;
     for (const Mesh& mesh : scene.meshes) most = std::max(most, mesh.indices.size() / 3);
@@ -484,19 +386,9 @@ TEST(SceneObjects, HaveThePapersTriangleCounts) {
   EXPECT_LE(object_triangles(divider), 70e3);
   EXPECT_NEAR(object_triangles(floating), 69e3, 0.03 * 69e3);
   EXPECT_NEAR(double(triangle_count(floating)), 70e3, 0.03 * 70e3);
-}
-
-TEST(SceneObjects, RefuseFilesThatDrawNothing) {
-  const std::filesystem::path file = testing::TempDir() + "/point.glb";
-  Scene point = brick();
-  for (Vertex& v : point.meshes[0].vertices) v.position = glm::vec3(1.0f);
-  ASSERT_TRUE(export_glb(point, file).ok());
-  for (const std::string& path : {file.string(), std::string("missing.glb")}) {
-    const Result<Scene> scene = make_builtin_scene("floating-object:object=" + path);
-    ASSERT_FALSE(scene.ok());
-    EXPECT_EQ(scene.error().kind, ErrorKind::input);
-    EXPECT_NE(scene.error().message.find(path), std::string::npos) << scene.error().message;
-  }
+  EXPECT_NEAR(double(triangle_count(divider)), 70e3, 0.03 * 70e3);
+  EXPECT_NEAR(double(triangle_count(make("basket"))), 91e3, 1e3);
+  EXPECT_NEAR(double(triangle_count(make("table"))), 58e3, 1e3);
 }
 
 TEST(Basket, ShowsItsLitSideToTheSideCameraOnly) {
@@ -529,6 +421,28 @@ TEST(Basket, ShowsItsLitSideToTheSideCameraOnly) {
     }
   }
   EXPECT_GT(seen, count / 2);  // the far half of a round side turns away from it
+}
+
+TEST(Table, GetsItsLightFromTheWallOnly) {
+  // Wherever the sun stands in its loop, its rays end outside, on the window's frame, or on the
+  // wall across from it.
+  const Scene& scene = make("table");
+  ASSERT_EQ(scene.lights.size(), 1u);
+  for (const float time_s : {0.0f, 2.5f, 7.5f}) {
+    const std::vector<glm::mat4> world = pose(scene, time_s);
+    const glm::vec3 along = -glm::vec3(world[scene.lights[0].node][2]);
+    int on_wall = 0;
+    for (float y = 0.05f; y < 2.75f; y += 0.11f) {
+      for (float z = -2.05f; z < 3.15f; z += 0.13f) {
+        const glm::vec3 from = glm::vec3(2.5f, y, z) - 2.0f * along;
+        const glm::vec3 met = from + along * ray_distance(scene, world, from, along);
+        if (met.x > 2.5f) continue;
+        EXPECT_NEAR(met.x, -2.3f, 1e-3f) << y << ' ' << z << " at " << time_s << " s";
+        ++on_wall;
+      }
+    }
+    EXPECT_GT(on_wall, 100);
+  }
 }
 
 TEST(StillLife, HasAsManyTrianglesAsItsPaperSays) {
@@ -598,6 +512,7 @@ TEST(BuiltinSpec, NamesWhatIsValid) {
       {"atrium:size=3", "triangles=N and object=FILE"},
       {"cornell:object=a.glb", "these have: divider-room, floating-object"},
       {"atrium:triangles=20000,object=a.glb", "'atrium' has no object"},
+      {"divider-room:object=", "needs the name of a file"},
       {"divider-room:triangles=20000", "'divider-room' has no parameter"},
       {"atrium:", "triangles=N"},
       {"atrium:triangles=many", "10000 to 1000000"},

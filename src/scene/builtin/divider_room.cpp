@@ -55,8 +55,8 @@ int32_t add_sides(Scene& scene) {
   room.right = add_tinted_material(scene, "blue plaster", white, {0.09f, 0.21f, 0.66f});
   room.ceiling = add_tinted_material(scene, "green plaster", white, {0.30f, 0.58f, 0.26f});
   room.back = room.front = white;
-  room.floor = add_patterned_material(scene, "oak boards", glm::vec3(1.25f, 1.2f, 1.15f), 0.6f, 512,
-                                      1.4f, board_pattern());
+  room.floor = add_patterned_material(scene, "oak boards", glm::vec3(1.0f), 0.6f, 512, 1.4f,
+                                      board_pattern(kOakDark, kOakLight));
   room.floor_texture_m = 1.4f;
   add_room(scene, room, Tessellation{0.5f});
   add_skirting(scene, room, {.material = white, .height_m = 0.18f});

@@ -41,7 +41,7 @@ Scene make_floating_object() {
   };
   const int32_t camera = add_camera(scene, "front", eye(0), target, 0.80f);
   animate_camera(scene, camera, 40, eye, [=](float) { return target; });
-  add_camera(scene, "close", {-1.25f, 2.35f, 1.45f}, {0.05f, 1.95f, -0.3f}, 0.75f);
+  add_camera(scene, "close", {-1.45f, 2.35f, 1.75f}, {0.05f, 1.88f, -0.3f}, 0.75f);
   add_box_room(scene);
 
   // The object turns once and rises and sinks a little.
@@ -64,7 +64,7 @@ Scene make_floating_object() {
   spot.inner_cone_rad = 0.45f;
   scene.lights.push_back(spot);
   const float distance = glm::distance(from, kFloat);
-  scene.exposure_ev = exposure_for(0.75f, spot.intensity / (distance * distance));
+  scene.exposure_ev = exposure_for(0.85f, spot.intensity / (distance * distance));
   return scene;
 }
 

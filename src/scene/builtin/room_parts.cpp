@@ -51,14 +51,13 @@ Pattern plaster_pattern() {
           }};
 }
 
-Pattern board_pattern() {
-  return {[](glm::vec2 uv) {
+Pattern board_pattern(glm::vec3 dark, glm::vec3 light) {
+  return {[=](glm::vec2 uv) {
             const Board board = find_board(uv);
             const uint32_t seed = 72 + 2 * board.number + board.piece;
             const float grain = tiling_noise({uv.x, glm::fract(uv.y * 6.0f)}, 4, 5, seed);
-            glm::vec3 tone =
-                glm::mix(glm::vec3(0.30f, 0.17f, 0.085f), glm::vec3(0.50f, 0.32f, 0.18f), grain);
-            tone *= 0.82f + 0.36f * hash_unit(board.number, board.piece, 73);
+            glm::vec3 tone = glm::mix(dark, light, grain);
+            tone *= 0.80f + 0.30f * hash_unit(board.number, board.piece, 73);
             return tone *
                    glm::mix(0.30f, 1.0f,
                             beside_joint(board.across, 0.02f) * beside_joint(board.along, 0.0025f));

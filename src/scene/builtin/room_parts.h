@@ -16,8 +16,10 @@
 namespace lueur::builtin {
 
 Pattern plaster_pattern();  // near white, trowelled: coloured by the material
-Pattern board_pattern();    // eight floor boards of oak, staggered
-Pattern tile_pattern();     // 4 x 4 square tiles of pale stone with fine joints
+// Eight boards a repeat, staggered, grained between two tones.
+Pattern board_pattern(glm::vec3 dark, glm::vec3 light);
+inline constexpr glm::vec3 kOakDark{0.38f, 0.22f, 0.11f}, kOakLight{0.62f, 0.41f, 0.24f};
+Pattern tile_pattern();  // 4 x 4 square tiles of pale stone with fine joints
 
 // Adds a material that wears `pattern`, tinted by `tint`.
 int32_t add_patterned_material(Scene& scene, const std::string& name, glm::vec3 tint,

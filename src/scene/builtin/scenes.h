@@ -33,7 +33,7 @@ Scene make_basket();
 // A cubic room with a divider, through which a detailed object of 60 000 triangles moves.
 Scene make_divider_room();
 
-// A detailed object that floats and turns in a box under a spotlight; 70 000 triangles of its own.
+// A detailed object that floats and turns in a box under a spotlight; it has 69 000 triangles.
 Scene make_floating_object();
 
 // A laid table in a room lit by one patch of sun on the wall.

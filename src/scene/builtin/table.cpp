@@ -15,21 +15,21 @@ namespace lueur::builtin {
 namespace {
 
 constexpr float kSunLux = 30'000.0f;
-constexpr glm::vec3 kSunDirection{-1.0f, -0.13f, -0.10f};
+constexpr glm::vec3 kSunDirection{-1.0f, -0.06f, -0.12f};
 constexpr float kTableHeight = 0.75f;
 constexpr glm::vec3 kTable{-0.55f, 0, -0.55f};
 constexpr float kRight = 2.6f;  // x of the wall with the window
-const Box kWindow{{kRight - 1, 1.30f, -1.05f}, {kRight + 1, 2.55f, 0.85f}};
+const Box kWindow{{kRight - 1, 1.38f, -1.15f}, {kRight + 1, 2.62f, 1.55f}};
 
 void add_walls(Scene& scene) {
   const int32_t white = add_patterned_material(scene, "plaster", {0.96f, 0.93f, 0.87f}, 0.95f, 256,
                                                2.0f, plaster_pattern());
   Room room{.min = {-2.3f, 0, -2.1f}, .max = {kRight, 2.8f, 3.2f}, .wall_m = 0.25f};
-  room.left = add_tinted_material(scene, "warm plaster", white, {0.98f, 0.78f, 0.55f});
-  room.back = add_tinted_material(scene, "sage plaster", white, {0.50f, 0.62f, 0.48f});
+  room.left = add_tinted_material(scene, "warm plaster", white, {0.98f, 0.86f, 0.70f});
+  room.back = add_tinted_material(scene, "sage plaster", white, {0.60f, 0.74f, 0.62f});
   room.front = room.ceiling = white;
-  room.floor = add_patterned_material(scene, "oak boards", glm::vec3(1.45f, 1.45f, 1.40f), 0.55f,
-                                      512, 1.4f, board_pattern());
+  room.floor = add_patterned_material(scene, "pale boards", glm::vec3(1.0f), 0.55f, 512, 1.4f,
+                                      board_pattern({0.52f, 0.42f, 0.31f}, {0.74f, 0.64f, 0.50f}));
   room.floor_texture_m = 1.4f;
   add_room(scene, room, Tessellation{0.5f});
   const Tessellation coarse{0.5f};
@@ -38,14 +38,17 @@ void add_walls(Scene& scene) {
   add_pierced_slab(wall, {{kRight, 0, room.min.z}, {kRight + 0.25f, room.max.y, room.max.z}},
                    {kWindow}, coarse);
 
-  // Two bars across the window and one upright, and its sill.
-  const float x = kRight + 0.10f, middle = 0.5f * (kWindow.min.z + kWindow.max.z);
+  // Two bars across the window and two upright, and its sill.
+  const float x = kRight + 0.10f;
   for (int k = 1; k <= 2; ++k) {
     const float y = glm::mix(kWindow.min.y, kWindow.max.y, float(k) / 3.0f);
     add_box(wall, {x, y - 0.02f, kWindow.min.z}, {x + 0.05f, y + 0.02f, kWindow.max.z}, coarse);
   }
-  add_box(wall, {x + 0.005f, kWindow.min.y, middle - 0.025f},
-          {x + 0.045f, kWindow.max.y, middle + 0.025f}, coarse);
+  for (int k = 1; k <= 2; ++k) {
+    const float z = glm::mix(kWindow.min.z, kWindow.max.z, float(k) / 3.0f);
+    add_box(wall, {x + 0.005f, kWindow.min.y, z - 0.025f}, {x + 0.045f, kWindow.max.y, z + 0.025f},
+            coarse);
+  }
   add_rounded_box(wall, {kRight - 0.08f, kWindow.min.y - 0.05f, kWindow.min.z - 0.08f},
                   {kRight + 0.12f, kWindow.min.y, kWindow.max.z + 0.08f}, 0.01f, coarse);
   add_mesh(scene, wall.finish("window wall"));
@@ -71,8 +74,7 @@ void add_table(Scene& scene, int32_t wood) {
   }
   for (const float x : {-leg.x, leg.x}) {
     for (const float z : {-leg.y, leg.y}) {
-      builder.set_transform(
-          {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {x, 0, z, 1}});
+      builder.set_transform({{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {x, 0, z, 1}});
       Profile profile({0, 0}, fine);
       profile.line_to({0.018f, 0})
           .arc_to({0.026f, 0.05f}, 1.4f, 4)
@@ -239,7 +241,7 @@ void add_sun(Scene& scene) {
   sun.kind = LightKind::directional;
   sun.color = {1.0f, 0.90f, 0.74f};
   sun.intensity = kSunLux;
-  const glm::vec3 window(kRight + 1.0f, 2.05f, 0.25f);
+  const glm::vec3 window(kRight + 1.0f, 2.12f, 0.55f);
   sun.node = add_node(scene, "sun", window);
 
   // Let the patch wander along the wall.
@@ -247,7 +249,7 @@ void add_sun(Scene& scene) {
     return look_along(kSunDirection + glm::vec3(0, 0, 0.05f * std::sin(2 * kPi * phase)));
   });
   scene.lights.push_back(sun);
-  scene.exposure_ev = 1.0f + exposure_for(0.75f, kSunLux);
+  scene.exposure_ev = 1.1f + exposure_for(0.75f, kSunLux);
 }
 
 }  // namespace
@@ -255,7 +257,7 @@ void add_sun(Scene& scene) {
 Scene make_table() {
   Scene scene;
   scene.name = "table";
-  const glm::vec3 target{-0.75f, 0.72f, -0.7f};
+  const glm::vec3 target{-0.78f, 0.86f, -0.7f};
   const auto eye = [](float phase) {
     const float angle = 2 * kPi * phase;
     return glm::vec3(1.55f + 0.20f * std::sin(angle), 1.42f + 0.08f * std::sin(2 * angle), 2.55f);
@@ -264,8 +266,8 @@ Scene make_table() {
   animate_camera(scene, camera, 40, eye, [=](float) { return target; });
   add_camera(scene, "below", {1.35f, 0.62f, 1.55f}, {-0.70f, 0.28f, -0.6f}, 0.70f);
   add_walls(scene);
-  const int32_t wood =
-      add_patterned_material(scene, "wood", glm::vec3(1.7f), 0.5f, 256, 1.0f, wood_pattern());
+  const int32_t wood = add_patterned_material(scene, "wood", glm::vec3(1.0f), 0.5f, 256, 1.0f,
+                                              board_pattern(kOakDark, kOakLight));
   const int32_t linen = add_patterned_material(scene, "linen", {0.70f, 0.22f, 0.14f}, 0.95f, 256,
                                                0.5f, cloth_pattern());
   add_table(scene, wood);
