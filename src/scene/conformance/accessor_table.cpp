@@ -8,7 +8,7 @@
 
 #include "scene/conformance/json_read.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 struct TypeRow {
@@ -182,4 +182,4 @@ const std::optional<AccessorTable::Range>& AccessorTable::range(size_t index) {
   return *known;
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

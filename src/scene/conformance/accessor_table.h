@@ -13,7 +13,7 @@
 
 #include "scene/gltf_file.h"
 
-namespace lueur {
+namespace lueur::conformance {
 
 // Component types by their numbers in glTF.
 inline constexpr uint32_t kInt8 = 5120, kUint8 = 5121, kInt16 = 5122, kUint16 = 5123,
@@ -154,4 +154,4 @@ void AccessorTable::with_type(uint32_t component, Action action) {
   }
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

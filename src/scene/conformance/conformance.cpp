@@ -4,7 +4,7 @@
 #include "scene/conformance/rules.h"
 #include "scene/conformance/schema.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 std::string_view name_of(ViewUse use) {
@@ -74,7 +74,12 @@ void check_extension_lists(Asset& asset) {
                 "this extension has to be in extensionsRequired, too");
 }
 
+}  // namespace lueur::conformance
+
+namespace lueur {
+
 std::vector<std::string> conformance_faults(const GltfFile& file) {
+  using namespace conformance;
   Findings findings;
   for (const std::string& fault : file.container_faults()) findings.add("", fault);
   check_schema(file.root(), findings);

@@ -92,7 +92,7 @@ TEST(Conformance, TheListStaysShort) {
   for (int i = 0; i < 1000; ++i) nodes += R"(,{"camera":5})";
   const std::vector<std::string> lines =
       faults(with(triangle_json(), R"([{"mesh":0}])", nodes + "]"));
-  ASSERT_EQ(lines.size(), Findings::kMaxLines + 1);
+  ASSERT_EQ(lines.size(), conformance::Findings::kMaxLines + 1);
   EXPECT_EQ(lines.back(), "the file breaks the rules of glTF in 984 more places");
 }
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace lueur {
+namespace lueur::conformance {
 
 void Findings::add(const std::string& path, std::string_view what) {
   if (lines_.size() >= kMaxLines) {
@@ -25,4 +25,4 @@ std::vector<std::string> Findings::take() {
   return std::move(lines_);
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lueur {
+namespace lueur::conformance {
 
 class Findings {
  public:
@@ -24,4 +24,4 @@ class Findings {
   size_t left_out_ = 0;
 };
 
-}  // namespace lueur
+}  // namespace lueur::conformance

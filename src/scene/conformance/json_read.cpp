@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 const Json kNull;
@@ -72,4 +72,4 @@ std::string path_to(const std::string& parent, std::string_view key) {
   return parent + '.' + std::string(key);
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -12,7 +12,7 @@
 
 #include "scene/gltf_json.h"
 
-namespace lueur {
+namespace lueur::conformance {
 
 // A member; null where there is none. `path` leads from object to object.
 const Json& member(const Json& object, std::string_view key);
@@ -36,4 +36,4 @@ std::string path_to(std::string_view list, size_t index);
 std::string path_to(const std::string& parent, std::string_view list, size_t index);
 std::string path_to(const std::string& parent, std::string_view key);
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -13,7 +13,7 @@
 #include "scene/conformance/json_read.h"
 #include "scene/gltf_file.h"
 
-namespace lueur {
+namespace lueur::conformance {
 
 // What a buffer view is read as.
 enum class ViewUse : uint8_t { none, vertices, indices, image, other };
@@ -48,4 +48,4 @@ void check_images(Asset& asset);      // types, headers, textures
 void check_cameras_and_lights(Asset& asset);
 void check_materials(Asset& asset);  // what depends on two properties
 
-}  // namespace lueur
+}  // namespace lueur::conformance

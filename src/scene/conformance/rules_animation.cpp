@@ -8,7 +8,7 @@
 
 #include "scene/conformance/rules.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 bool is_path(std::string_view path) {
@@ -163,4 +163,4 @@ void check_animations(Asset& asset) {
     AnimationCheck(asset, animations[i], path_to("animations", i)).check();
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

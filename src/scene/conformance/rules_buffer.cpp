@@ -7,7 +7,7 @@
 #include "scene/conformance/rules.h"
 #include "scene/gltf_uri.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 bool is_bounded_by(const Json& bound, double value, bool is_float) {
@@ -143,4 +143,4 @@ void check_accessors(Asset& asset) {
   }
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -11,7 +11,7 @@
 #include "scene/gltf_uri.h"
 #include "scene/image_decode.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 constexpr size_t kHeadBytes = 64 * 1024;  // JPEG keeps its size behind profiles and previews
@@ -143,4 +143,4 @@ void check_images(Asset& asset) {
     check_texture(asset, textures[i], types, path_to("textures", i));
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -10,7 +10,7 @@
 
 #include "scene/conformance/rules.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 // What an attribute's accessor may be; `kinds` has a letter for each: f float, B and H normalized 8
@@ -313,4 +313,4 @@ void check_meshes(Asset& asset) {
   }
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

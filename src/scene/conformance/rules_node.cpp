@@ -8,7 +8,7 @@
 
 #include "scene/conformance/rules.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 constexpr size_t kNoNode = static_cast<size_t>(-1);
@@ -218,4 +218,4 @@ void check_skins(Asset& asset) {
   }
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -4,7 +4,7 @@
 
 #include "scene/conformance/rules.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 void check_camera(Asset& asset, const Json& camera, const std::string& path) {
@@ -53,4 +53,4 @@ void check_materials(Asset& asset) {
   }
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -12,7 +12,7 @@
 
 #include "scene/conformance/rules.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 // Lengths may be off by what 8-bit quantization leaves.
@@ -155,4 +155,4 @@ void check_vertices(Asset& asset) {
   }
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -11,7 +11,7 @@
 #include "scene/conformance/findings.h"
 #include "scene/gltf_json.h"
 
-namespace lueur {
+namespace lueur::conformance {
 
 enum class JsonType : uint8_t { boolean, integer, number, text, object };
 
@@ -131,4 +131,4 @@ std::span<const ExtensionRule> extension_rules();
 // where extensions stand. Its depth is that of the tables, whatever the document.
 void check_schema(const JsonCursor& root, Findings& findings);
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -9,7 +9,7 @@
 #include "scene/conformance/json_read.h"
 #include "scene/conformance/schema.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 std::string shown(double value) {
@@ -209,4 +209,4 @@ void check_schema(const JsonCursor& root, Findings& findings) {
   SchemaCheck(root, findings).check_object(root, kRootRule);
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance

@@ -4,7 +4,7 @@
 
 #include "scene/conformance/schema.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 using Names = std::array<std::string_view, 2>;
@@ -191,4 +191,4 @@ constexpr std::array kRoot{
 const ObjectRule kTextureInfoRule{"textureInfo", kTextureInfo};
 const ObjectRule kRootRule{"glTF", kRoot};
 
-}  // namespace lueur
+}  // namespace lueur::conformance

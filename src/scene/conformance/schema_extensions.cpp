@@ -5,7 +5,7 @@
 
 #include "scene/conformance/schema.h"
 
-namespace lueur {
+namespace lueur::conformance {
 namespace {
 
 constexpr std::array kImageSource{index("source", "images")};
@@ -128,4 +128,4 @@ std::span<const ExtensionRule> extension_rules() {
   return kExtensions;
 }
 
-}  // namespace lueur
+}  // namespace lueur::conformance
