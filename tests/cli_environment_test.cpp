@@ -38,6 +38,10 @@ TEST_F(CliEnvironment, IsBehindTheSceneInEveryPicture) {
   EXPECT_EQ(rendered.code, 0) << rendered.err;
   EXPECT_NE(rendered.err.find("environment is all there is"), std::string::npos) << rendered.err;
   EXPECT_EQ(corner("r.exr"), 6.0f);
+  ExrAttributes attributes;
+  ASSERT_TRUE(read_exr(folder_ / "r.exr", &attributes).ok());
+  EXPECT_EQ(attributes["lueur.environment"],
+            R"({"file":"sky.hdr","rotation_deg":0.0,"intensity":2.0})");
   const Ended traced = run({"reference", "square.obj", "--env", "sky.hdr", "--env-intensity", "2",
                             "--size", "32x32", "--spp", "16", "-o", "t.exr"});
   EXPECT_EQ(traced.code, 0) << traced.err;

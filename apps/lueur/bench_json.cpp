@@ -100,6 +100,7 @@ Json bench_json(const BenchReport& report) {
     json["technique"] = technique.name();
     json["settings"] = settings_json(technique.info, technique.technique.get());
   }
+  json["environment"] = environment_json(report.setup.environment);
   json["seed"] = report.setup.seed;
   json["frames"] = report.frames;
   json["warm_up_frames"] = kWarmUpFrames;

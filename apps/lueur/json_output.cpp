@@ -23,6 +23,13 @@ Json size_json(Extent size) {
   return Json::array({size.width, size.height});
 }
 
+Json environment_json(const EnvironmentChoice& environment) {
+  if (environment.file.empty()) return nullptr;
+  return {{"file", environment.file},
+          {"rotation_deg", as_printed(glm::degrees(environment.rotation_rad))},
+          {"intensity", as_printed(environment.intensity)}};
+}
+
 Json setting_value(const SettingInfo& row, const void* settings) {
   const double value = row.get(settings);
   switch (row.kind) {

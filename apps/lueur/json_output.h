@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "environment_choice.h"
 #include "gpu/system.h"
 #include "lueur/context.h"
 #include "lueur/result.h"
@@ -19,6 +20,8 @@ Result<void> print_json(const Json& json);
 
 Json device_json(const gpu::DeviceEntry& device);
 Json size_json(Extent size);  // [width, height]
+// File, turn in degrees and factor; null where none was chosen.
+Json environment_json(const EnvironmentChoice& environment);
 
 // A setting as JSON's own kind: number, text for a choice, true or false.
 Json setting_value(const SettingInfo& row, const void* settings);

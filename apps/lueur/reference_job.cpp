@@ -50,12 +50,14 @@ Result<reference::CachedRendering> trace(const ReferenceJob& job, const Scene& s
 
 std::map<std::string, std::string> attributes(const ReferenceJob& job) {
   const reference::Settings& s = job.settings;
-  std::map<std::string, std::string> list = {{"lueur.version", LUEUR_VERSION},
-                                             {"lueur.scene", job.scene},
-                                             {"lueur.camera", job.camera},
-                                             {"lueur.time_s", std::to_string(job.shot.time_s)},
-                                             {"lueur.reference.mode", std::string(name_of(s.mode))},
-                                             {"lueur.reference.seed", std::to_string(s.seed)}};
+  std::map<std::string, std::string> list = {
+      {"lueur.version", LUEUR_VERSION},
+      {"lueur.scene", job.scene},
+      {"lueur.camera", job.camera},
+      {"lueur.environment", environment_json(job.environment).dump()},
+      {"lueur.time_s", std::to_string(job.shot.time_s)},
+      {"lueur.reference.mode", std::string(name_of(s.mode))},
+      {"lueur.reference.seed", std::to_string(s.seed)}};
   if (s.mode == reference::Mode::path) list["lueur.reference.bounces"] = std::to_string(s.bounces);
   if (s.mode == reference::Mode::ambient)
     list["lueur.reference.distance_m"] = std::to_string(s.ambient_distance_m);
@@ -94,6 +96,7 @@ Json report_json(const ReferenceJob& job, const reference::CachedRendering& resu
       {"version", LUEUR_VERSION},
       {"scene", job.scene},
       {"camera", job.camera},
+      {"environment", environment_json(job.environment)},
       {"size", size_json({job.shot.width, job.shot.height})},
       {"mode", name_of(job.settings.mode)},
       {"bounces", job.settings.bounces},
