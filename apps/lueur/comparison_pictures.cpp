@@ -46,6 +46,12 @@ report::Pictures pictures_of(const reference::Rendering& rendering,
     pictures.composed.samples[i] += albedo.samples[i] * pictures.indirect.samples[i];
     if (specular) pictures.composed.samples[i] += specular->samples[i];
   }
+  // Behind everything both show the same environment.
+  const ImageF composed = image_named(rendered, "composed");
+  const Pixels* depth = find_pixels(rendered, "depth");
+  LUEUR_CHECK(depth != nullptr);
+  for (size_t i = 0; i < composed.samples.size(); ++i)
+    if (depth->samples[i / 3] == 0.0f) pictures.composed.samples[i] = composed.samples[i];
   return pictures;
 }
 

@@ -15,8 +15,8 @@ namespace lueur::cli {
 
 // The reference's indirect light in the renderer's picture: direct + albedo * indirect +
 // indirect_specular, with `direct` and `albedo` of the rendered frame. So what differs from a
-// technique's picture is the indirect light, and not a shadow's edge. `rendered` has the images
-// source, specular and albedo.
+// technique's picture is the indirect light, and not a shadow's edge. Where there is no surface it
+// is the rendered frame. `rendered` has the images source, specular, albedo, depth and composed.
 report::Pictures pictures_of(const reference::Rendering& rendering,
                              std::span<const Pixels> rendered);
 
