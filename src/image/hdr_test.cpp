@@ -107,8 +107,7 @@ TEST(Hdr, HostileFilesAreRefused) {
   expect_refused("#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n" + pixel(1), "XYZE");
   expect_refused("#?RADIANCE\nFORMAT=nonsense\n\n-Y 1 +X 1\n" + pixel(1), "nonsense");
   for (const std::string exposure : {"0", "-1", "nan", "1e300", "x", ""})
-    expect_refused("#?RADIANCE\nEXPOSURE=" + exposure + "\n\n-Y 1 +X 1\n" + pixel(1),
-                   "EXPOSURE");
+    expect_refused("#?RADIANCE\nEXPOSURE=" + exposure + "\n\n-Y 1 +X 1\n" + pixel(1), "EXPOSURE");
   expect_refused(file_of("", pixel(1)), "size");
   expect_refused(file_of("-Y 1", pixel(1)), "size");
   expect_refused(file_of("-Y 1 +Y 1", pixel(1)), "one axis twice");

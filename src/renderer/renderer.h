@@ -2,9 +2,9 @@
 // The example host: a deferred renderer that calls techniques as any engine would.
 //
 // Each frame: G-buffer -> shadow maps -> direct light (diffuse source radiance and specular apart)
-// -> technique -> composition `direct + albedo * indirect + specular` -> the environment where there
-// is no surface. The environment's light upon surfaces is indirect and left to techniques: like the
-// light of all that glows, it is in none of the images of direct light.
+// -> technique -> composition `direct + albedo * indirect + specular` -> the environment where
+// there is no surface. The environment's light upon surfaces is indirect and left to techniques:
+// like the light of all that glows, it is in none of the images of direct light.
 #pragma once
 
 #include <memory>

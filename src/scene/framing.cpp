@@ -268,8 +268,7 @@ std::optional<std::string> other_light(const Scene& scene,
                                        const std::vector<glm::mat4>& world_from_node,
                                        const Bounds& box) {
   constexpr double kLeastShare = 0.02;
-  if (scene.environment)
-    return "no light in the file: the environment is all there is, and its light is indirect";
+  if (scene.environment) return "no light in the file but the environment: its light is indirect";
   const glm::dvec3 size(box.max - box.min);
   const double surface = 2.0 * (size.x * size.y + size.y * size.z + size.z * size.x);
   if (emitted_flux(scene, world_from_node) >= kLeastShare * double{kIlluminanceLux} * surface &&
