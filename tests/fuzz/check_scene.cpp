@@ -31,6 +31,33 @@ void check_mesh(const Mesh& mesh, size_t material_count) {
                    mesh.indices.size());
     LUEUR_CHECK_OP(static_cast<size_t>(primitive.material), <, material_count);
   }
+  const auto fits = [&](size_t size) { return size == 0 || size == mesh.vertices.size(); };
+  LUEUR_CHECK(fits(mesh.influences.size()));
+  for (const MorphTarget& target : mesh.morph_targets)
+    LUEUR_CHECK(fits(target.positions.size()) && fits(target.normals.size()) &&
+                fits(target.tangents.size()));
+}
+
+void check_material(const Material& material, size_t texture_count) {
+  for (const TextureUse* use : {&material.base_color_texture, &material.metallic_roughness_texture,
+                                &material.normal_texture, &material.emission_texture}) {
+    if (use->is_used()) LUEUR_CHECK_OP(static_cast<size_t>(use->texture), <, texture_count);
+    LUEUR_CHECK_OP(use->uv_set, <, 2u);
+  }
+}
+
+// Each vertex follows joints that the skin has, and the skin nodes that the scene has.
+void check_skin(const Scene& scene, const MeshInstance& instance) {
+  if (instance.skin == kNone) return;
+  LUEUR_CHECK_OP(static_cast<size_t>(instance.skin), <, scene.skins.size());
+  const Skin& skin = scene.skins[static_cast<size_t>(instance.skin)];
+  LUEUR_CHECK_OP(skin.joints.size(), ==, skin.joint_from_mesh.size());
+  for (const int32_t joint : skin.joints)
+    LUEUR_CHECK_OP(static_cast<size_t>(joint), <, scene.nodes.size());
+  const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
+  LUEUR_CHECK_OP(mesh.influences.size(), ==, mesh.vertices.size());
+  for (const JointInfluence& influence : mesh.influences)
+    for (int k = 0; k < 4; ++k) LUEUR_CHECK_OP(influence.joints[k], <, skin.joints.size());
 }
 
 }  // namespace
@@ -39,10 +66,12 @@ void check_scene(const Scene& scene) {
   LUEUR_CHECK(!scene.materials.empty());
   for (size_t i = 0; i < scene.nodes.size(); ++i)
     LUEUR_CHECK_OP(scene.nodes[i].parent, <, static_cast<int32_t>(i));
+  for (const Material& material : scene.materials) check_material(material, scene.textures.size());
   for (const Mesh& mesh : scene.meshes) check_mesh(mesh, scene.materials.size());
   for (const MeshInstance& instance : scene.instances) {
     LUEUR_CHECK_OP(static_cast<size_t>(instance.mesh), <, scene.meshes.size());
     LUEUR_CHECK_OP(static_cast<size_t>(instance.node), <, scene.nodes.size());
+    check_skin(scene, instance);
   }
   for (const Texture& texture : scene.textures)
     LUEUR_CHECK_OP(texture.rgba.size(), ==, size_t{texture.width} * texture.height * 4);
@@ -53,7 +82,7 @@ void check_scene(const Scene& scene) {
 void check_completed(const Scene& scene) {
   Scene completed = scene;
   complete(completed);
-  LUEUR_CHECK(!completed.cameras.empty() && !completed.lights.empty());
+  LUEUR_CHECK(!completed.cameras.empty());
 }
 
 }  // namespace lueur
