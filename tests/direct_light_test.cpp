@@ -64,7 +64,7 @@ Scene panels() {
   scene.materials.back().unlit = true;
   panel(1.1f, static_cast<int32_t>(scene.materials.size()) - 1).vertices[1].color = {65535, 20000,
                                                                                      65535, 65535};
-  add_light(scene, LightKind::point, 30.0f, {1, 2, 4});
+  add_light(scene, LightKind::point, 60.0f, {1, 2, 4}).range_m = 5.5f;
   return scene;
 }
 

@@ -91,7 +91,7 @@ void Hash::add(const Light& l) {
   add(l.kind);
   add(l.node);
   add(l.color);
-  add(std::array{l.intensity, l.inner_cone_rad, l.outer_cone_rad});
+  add(std::array{l.intensity, l.inner_cone_rad, l.outer_cone_rad, l.range_m});
 }
 
 // `scene` without skins and morph targets.

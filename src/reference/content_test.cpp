@@ -88,6 +88,7 @@ const std::vector<Change> kChanges = {
     {"light intensity", [](Input& i) { i.scene.lights[0].intensity = 4; }},
     {"light inner cone", [](Input& i) { i.scene.lights[0].inner_cone_rad = 0.1f; }},
     {"light outer cone", [](Input& i) { i.scene.lights[0].outer_cone_rad = 0.5f; }},
+    {"light range", [](Input& i) { i.scene.lights[0].range_m = 3.0f; }},
     {"no light", [](Input& i) { i.scene.lights.clear(); }},
     {"another light", [](Input& i) { i.scene.lights.push_back(i.scene.lights[0]); }},
     {"camera place", [](Input& i) { i.scene.nodes[0].translation.x = 1; }},

@@ -16,7 +16,7 @@ Arrival arrival(const PlacedLight& light, const glm::vec3& position) {
     a.to_light = light.position_world - position;
     a.distance_m = std::max(glm::length(a.to_light), kLeastLightDistance);
     a.to_light /= a.distance_m;
-    a.irradiance /= a.distance_m * a.distance_m;
+    a.irradiance *= range_window(a.distance_m, light.inverse_range) / (a.distance_m * a.distance_m);
   }
   if (light.kind == LightKind::spot)
     a.irradiance *= cone_attenuation(glm::dot(-a.to_light, light.direction_world), light.cone_scale,

@@ -11,12 +11,12 @@ namespace {
 TEST(RendererLayout, GeometryPasses) {
   for (const gpu::ShaderCode* code :
        {&shaders::renderer_g_buffer_vert, &shaders::renderer_shadow_vert}) {
-    expect_layout(*code, "instances", sizeof(InstanceData),
-                  {LUEUR_MEMBER(InstanceData, world_from_object),
-                   LUEUR_MEMBER(InstanceData, world_from_object_before),
-                   LUEUR_MEMBER(InstanceData, world_from_object_normal),
-                   LUEUR_MEMBER(InstanceData, is_deformed),
-                   LUEUR_MEMBER(InstanceData, first_deformed)});
+    expect_layout(
+        *code, "instances", sizeof(InstanceData),
+        {LUEUR_MEMBER(InstanceData, world_from_object),
+         LUEUR_MEMBER(InstanceData, world_from_object_before),
+         LUEUR_MEMBER(InstanceData, world_from_object_normal),
+         LUEUR_MEMBER(InstanceData, is_deformed), LUEUR_MEMBER(InstanceData, first_deformed)});
     expect_layout(
         *code, "deformed", sizeof(DeformedVertex),
         {LUEUR_MEMBER(DeformedVertex, position), LUEUR_MEMBER(DeformedVertex, position_before),
@@ -52,7 +52,8 @@ TEST(RendererLayout, LightPasses) {
          LUEUR_MEMBER(LightParams, direction_world), LUEUR_MEMBER(LightParams, intensity),
          LUEUR_MEMBER(LightParams, extent), LUEUR_MEMBER(LightParams, kind),
          LUEUR_MEMBER(LightParams, cone_scale), LUEUR_MEMBER(LightParams, cone_offset),
-         LUEUR_MEMBER(LightParams, shadow_near_m), LUEUR_MEMBER(LightParams, texel_m)});
+         LUEUR_MEMBER(LightParams, inverse_range), LUEUR_MEMBER(LightParams, shadow_near_m),
+         LUEUR_MEMBER(LightParams, texel_m)});
 }
 
 TEST(RendererLayout, Background) {

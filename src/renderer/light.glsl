@@ -48,7 +48,7 @@ void main() {
     to_light = p.position_world - position;
     distance_m = max(length(to_light), kLeastLightDistance);
     to_light /= distance_m;
-    irradiance /= distance_m * distance_m;
+    irradiance *= range_window(distance_m, p.inverse_range) / (distance_m * distance_m);
   }
   if (p.kind == kLightSpot)
     irradiance *=

@@ -48,6 +48,26 @@ TEST_F(LightTest, PointLightFallsOffWithDistanceAndCosine) {
       1.9);
 }
 
+TEST_F(LightTest, LightEndsAtItsRange) {
+  constexpr double kCandela = 50.0, kHeight = 1.0, kRange = 2.0;
+  Scene scene = scene_seen_from({0.3f, 4, 0.2f}, {0.3f, 0, 0});
+  add_floor(scene, 2);
+  const glm::dvec3 light(0, kHeight, 0);
+  add_light(scene, LightKind::point, kCandela, light).range_m = kRange;
+  render(scene);
+  int dark = 0;
+  expect_floor(
+      [&](const glm::dvec3& p) {
+        const double r = glm::length(light - p);
+        dark += r >= kRange;
+        const double window = std::max(1.0 - std::pow(r / kRange, 4.0), 0.0);
+        return window * kCandela * kHeight / (kPi * r * r * r);
+      },
+      // Where the window ends, the smallest half float is coarser than the light.
+      1.9, 1e-4);
+  EXPECT_GT(dark, 100);
+}
+
 TEST_F(LightTest, RadianceRightBelowIsAlbedoTimesIntensityOverPiHeightSquared) {
   for (const double height : {0.5, 2.0, 20.0}) {
     Scene scene = scene_seen_from({0, 3, 0}, {0, 0, 0});

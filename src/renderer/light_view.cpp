@@ -93,6 +93,7 @@ LightView view_of_light(const Light& light, const glm::mat4& world_from_node,
   p.intensity = placed.intensity;
   p.cone_scale = placed.cone_scale;
   p.cone_offset = placed.cone_offset;
+  p.inverse_range = placed.inverse_range;
   p.shadow_near_m = kShadowNearM;
   switch (light.kind) {
     case LightKind::directional:

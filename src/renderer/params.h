@@ -77,6 +77,7 @@ struct LightParams {
   uint kind;
   float cone_scale;  // of cone_attenuation()
   float cone_offset;
+  float inverse_range;  // of range_window()
   float shadow_near_m;  // near plane of the point light's faces
   // Side of a shadow texel at distance 1 from the light; of a directional light, everywhere.
   // Metres.

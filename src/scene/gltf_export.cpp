@@ -361,6 +361,7 @@ class GlbWriter {
                                                               : "directional"},
                      {"color", vector_json(light.color)},
                      {"intensity", light.intensity}};
+      if (std::isfinite(light.range_m)) object["range"] = light.range_m;
       if (light.kind == LightKind::spot)
         object["spot"] = {{"innerConeAngle", light.inner_cone_rad},
                           {"outerConeAngle", light.outer_cone_rad}};

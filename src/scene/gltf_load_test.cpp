@@ -152,7 +152,7 @@ TEST_F(GltfTest, MaterialsCamerasAndLights) {
                 R"("extensionsUsed":["KHR_lights_punctual","KHR_materials_emissive_strength",
 "KHR_materials_specular"],"cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.25}}],
 "extensions":{"KHR_lights_punctual":{"lights":[{"type":"spot","intensity":7,"color":[1,0.5,0],
-"spot":{"innerConeAngle":0.1,"outerConeAngle":0.2}}]}},
+"range":12,"spot":{"innerConeAngle":0.1,"outerConeAngle":0.2}}]}},
 "materials":[{"emissiveFactor":[1,0.5,0],"doubleSided":true,"alphaMode":"BLEND",
 "extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":8},
 "KHR_materials_specular":{"specularFactor":0.25}},
@@ -174,6 +174,7 @@ TEST_F(GltfTest, MaterialsCamerasAndLights) {
   EXPECT_EQ(scene->lights.at(0).intensity, 7.0f);
   EXPECT_EQ(scene->lights.at(0).color, glm::vec3(1.0f, 0.5f, 0.0f));
   EXPECT_EQ(scene->lights.at(0).outer_cone_rad, 0.2f);
+  EXPECT_EQ(scene->lights.at(0).range_m, 12.0f);
 }
 
 TEST_F(GltfTest, AnimationMovesItsNode) {

@@ -161,7 +161,13 @@ Result<Light> read_light(const JsonCursor& at, int32_t node, Warnings& warnings)
     return spot.error("cone angles have to be 0 <= inner < outer <= pi/2");
   light.inner_cone_rad = inner;
   light.outer_cone_rad = std::min(outer, kRightAngle);
-  if (at.has("range")) warnings.add("the range of lights is ignored: they reach everywhere");
+  if (!at.has("range")) return light;
+  LUEUR_TRY(range, at.number("range", 0.0f));
+  if (!(range > 0.0f)) return at.error("range", "has to be more than 0");
+  if (light.kind == LightKind::directional)
+    warnings.add("the range of a directional light is ignored: it has no distance");
+  else
+    light.range_m = range;
   return light;
 }
 

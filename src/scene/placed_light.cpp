@@ -19,6 +19,7 @@ PlacedLight place(const Light& light, const glm::mat4& world_from_node) {
   const glm::vec3 axis = -glm::vec3(world_from_node[2]);
   if (glm::length(axis) > 0.0f) placed.direction_world = glm::normalize(axis);
   placed.intensity = light.color * light.intensity;
+  if (light.kind != LightKind::directional) placed.inverse_range = 1.0f / light.range_m;
   if (light.kind != LightKind::spot) return placed;
   const float outer = std::clamp(light.outer_cone_rad, kNarrowestConeRad, kWidestConeRad);
   const float inner = std::clamp(light.inner_cone_rad, 0.0f, outer - 1e-3f);

@@ -15,6 +15,7 @@ struct PlacedLight {
   // Of cone_attenuation(); 0 and 1, which is no attenuation, for all but spots.
   float cone_scale = 0.0f;
   float cone_offset = 1.0f;
+  float inverse_range = 0.0f;  // of range_window(), 1/m; 0: no range
 };
 
 // Cones are at least 0.01 rad and less than pi / 2 wide, as the extension asks for.

@@ -7,6 +7,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_precision.hpp>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -172,6 +173,8 @@ struct Light {
   float intensity = 1.0f;       // cd for point and spot, lux for directional
   float inner_cone_rad = 0.0f;  // half angles, spot only
   float outer_cone_rad = 0.7854f;
+  // Where the light of a point or spot ends; infinity: nowhere, as in nature.
+  float range_m = std::numeric_limits<float>::infinity();
 };
 
 enum class AnimationPath : uint8_t { translation, rotation, scale, morph_weight };

@@ -18,6 +18,13 @@ LUEUR_SHARED float cone_attenuation(float cos_angle, float scale, float offset) 
   return ramp * ramp;
 }
 
+// What is left of a point light's or spot's light at a distance, beside the inverse square, so that
+// it ends at its range: clamp(1 - (d / range)^4, 0, 1). An inverse range of 0 leaves all.
+LUEUR_SHARED float range_window(float distance_m, float inverse_range) {
+  const float share = distance_m * inverse_range;
+  return clamp(1.0f - share * share * share * share, 0.0f, 1.0f);
+}
+
 LUEUR_NAMESPACE_END
 
 #endif
