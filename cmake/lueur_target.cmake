@@ -1,6 +1,8 @@
 # lueur_library(NAME SOURCES … [PUBLIC …] [PRIVATE …]) makes the static library of one folder.
 # lueur_test(NAME SOURCES … LINK … [LABELS …]) makes one GoogleTest program beside it.
-# Both carry the warnings and sanitizers of the whole house.
+# lueur_node_test(NAME COMMAND SCRIPT [ARGUMENTS…] LABELS …) makes a test that node runs. It skips
+# itself where what it needs is missing, which `./run test` brings.
+# The first two carry the warnings and sanitizers of the whole house.
 
 add_library(lueur_options INTERFACE)
 target_compile_options(lueur_options INTERFACE -Wall -Wextra -Wshadow -Wundef -Wconversion
@@ -37,4 +39,16 @@ function(lueur_test name)
   if("address" IN_LIST LUEUR_SANITIZE AND arg_LABELS MATCHES "gpu|golden|program")
     set_tests_properties(${name} PROPERTIES ENVIRONMENT "ASAN_OPTIONS=detect_leaks=0")
   endif()
+endfunction()
+
+function(lueur_node_test name)
+  cmake_parse_arguments(arg "" "" "COMMAND;LABELS" ${ARGN})
+  find_program(LUEUR_NODE node)
+  mark_as_advanced(LUEUR_NODE)
+  if(NOT LUEUR_NODE)
+    message(STATUS "node is missing: ${name} is left out")
+    return()
+  endif()
+  add_test(NAME ${name} COMMAND ${LUEUR_NODE} ${arg_COMMAND})
+  set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 300 SKIP_RETURN_CODE 77)
 endfunction()

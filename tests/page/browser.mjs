@@ -2,14 +2,9 @@
 // A headless Chromium that cannot reach the network, and pages that report what they should not do.
 import {existsSync} from 'node:fs';
 import {pathToFileURL} from 'node:url';
+import {skip} from '../support/node_test.mjs';
 
 const kBrowser = process.env.LUEUR_CHROMIUM ?? '/usr/bin/chromium';
-const kSkipped = 77; // as CMakeLists.txt has it
-
-export function skip(reason) {
-  console.log(`skipped: ${reason}`);
-  process.exit(kSkipped);
-}
 
 export async function startBrowser() {
   if (!existsSync(kBrowser)) skip(`${kBrowser} is missing: run \`./run setup\``);

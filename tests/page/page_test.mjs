@@ -5,6 +5,7 @@ import {spawnSync} from 'node:child_process';
 import {mkdtempSync, readFileSync, rmSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
+import {exitCode, runTest} from '../support/node_test.mjs';
 import {openPage, overflow, settle, startBrowser} from './browser.mjs';
 import {sheetTests} from './sheet_tests.mjs';
 import {viewerTests} from './viewer_tests.mjs';
@@ -200,21 +201,9 @@ const otherPages = {
   },
 };
 
-let failed = 0;
-async function run(name, test) {
-  const start = performance.now();
-  try {
-    await test();
-    console.log(`ok      ${name} (${Math.round(performance.now() - start)} ms)`);
-  } catch (error) {
-    ++failed;
-    console.log(`FAILED  ${name}\n${error.stack}`);
-  }
-}
-
 const page = await open('full');
 for (const [name, test] of Object.entries(tests))
-  await run(name, async () => {
+  await runTest(name, async () => {
     page.faults.length = 0;
     await page.reload();
     await page.evaluate(() => scrollTo(0, 0)); // browsers go where one was before
@@ -224,8 +213,8 @@ for (const [name, test] of Object.entries(tests))
   });
 await page.close();
 for (const [name, test] of Object.entries({...otherPages, ...sheetTests(open)}))
-  await run(name, test);
+  await runTest(name, test);
 
 await browser.close();
 rmSync(folder, {recursive: true});
-process.exit(failed === 0 ? 0 : 1);
+process.exit(exitCode());
