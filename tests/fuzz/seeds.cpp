@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Writes the seeds that the corpora start from: fuzz_seeds FOLDER. They are made here and by the
-// house's own writers, and have a few KiB each.
+// house's own writers, and have a few KiB each at most.
 #include <turbojpeg.h>
 
 #include <cstdio>
@@ -9,9 +9,11 @@
 #include <vector>
 
 #include "base/file.h"
+#include "gltf_seeds.h"
 #include "image/exr.h"
 #include "image/png.h"
 #include "scene/gltf_export.h"
+#include "scene/gltf_load.h"
 
 using namespace lueur;
 namespace fs = std::filesystem;
@@ -69,11 +71,13 @@ Scene scene() {
   scene.meshes.push_back(mesh);
   scene.nodes.resize(2);
   scene.nodes[1].parent = 0;
-  scene.instances.push_back({1, 0});
+  scene.instances.push_back({.node = 1, .mesh = 0, .morph_weights = {}});
   scene.cameras.push_back({.name = "camera", .node = 0});
   scene.lights.push_back({.name = "light", .kind = LightKind::spot, .node = 1});
-  scene.animation.push_back(
-      {1, AnimationPath::rotation, false, {0.0f, 1.0f}, {{0, 0, 0, 1}, {0, 1, 0, 0}}});
+  scene.animation.push_back({.node = 1,
+                             .path = AnimationPath::rotation,
+                             .times_s = {0.0f, 1.0f},
+                             .values = {{0, 0, 0, 1}, {0, 1, 0, 0}}});
   return scene;
 }
 
@@ -140,6 +144,14 @@ int main(int count, char** arguments) {
 "bufferViews":[{"buffer":0,"byteLength":36},{"buffer":0,"byteOffset":36,"byteLength":6}],
 "accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},
 {"bufferView":1,"componentType":5123,"count":3,"type":"SCALAR"}]})");
-  if (!all_written) std::fprintf(stderr, "not all seeds could be written\n");
+  for (const GltfSeed& seed : gltf_seeds(png())) {
+    store(folder / "gltf" / seed.name, seed.text);
+    const auto loaded = decode_gltf({seed.text.begin(), seed.text.end()}, seed.name, {});
+    if (!loaded.ok()) std::fprintf(stderr, "%s\n", loaded.error().message.c_str());
+    for (size_t i = 0; loaded.ok() && i < loaded->warnings.size(); ++i)
+      std::fprintf(stderr, "%s: %s\n", seed.name.c_str(), loaded->warnings[i].c_str());
+    all_written = all_written && loaded.ok();
+  }
+  if (!all_written) std::fprintf(stderr, "not all seeds could be written, or they do not load\n");
   return all_written ? 0 : 1;
 }

@@ -62,6 +62,22 @@ TEST(Conformance, ExtensionsHaveTheirPlaces) {
                "object");
 }
 
+TEST(Conformance, ExtensionsOfGeometryAreHeldAgainstTheSchema) {
+  const std::string json = triangle_json();
+  const auto used = [&](const std::string& name) {
+    return with(json, R"("scene":0)", R"("extensionsUsed":[")" + name + R"("],"scene":0)");
+  };
+  const std::string copies = used("EXT_mesh_gpu_instancing");
+  expect_fault(
+      with(copies, R"({"mesh":0})", R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}}})"),
+      "nodes[0].extensions.EXT_mesh_gpu_instancing: attributes is missing");
+  expect_fault(with(used("EXT_meshopt_compression"), R"("byteLength":6}])",
+                    R"("byteLength":6,"extensions":{"EXT_meshopt_compression":
+{"buffer":0,"byteLength":6,"byteStride":2,"count":3,"mode":"INDEX"}}}])"),
+               "bufferViews[1].extensions.EXT_meshopt_compression.mode: 'INDEX' is not "
+               "ATTRIBUTES, TRIANGLES or INDICES");
+}
+
 TEST(Conformance, DataAreHeldAgainstWhatIsDeclared) {
   const std::string json = triangle_json();
   expect_fault(with(json, R"("max":[1,1,0])", R"("max":[1,2,0])"),

@@ -77,6 +77,26 @@ constexpr ObjectRule kVolumeRule{"volume", kVolume};
 constexpr std::array kIor{number("ior").at_least(0)};  // 0 or 1 and more: check_materials()
 constexpr ObjectRule kIorRule{"ior", kIor};
 
+// --- geometry
+// --------------------------------------------------------------------------------------
+
+// Attributes may have names of their own, too.
+constexpr ObjectRule kInstanceAttributesRule{"instanceAttributes", {}};
+constexpr std::array kInstancing{object("attributes", kInstanceAttributesRule).must()};
+constexpr ObjectRule kInstancingRule{"instancing", kInstancing};
+
+constexpr std::array<std::string_view, 3> kPackedModes{"ATTRIBUTES", "TRIANGLES", "INDICES"};
+constexpr std::array<std::string_view, 4> kPackedFilters{"NONE", "OCTAHEDRAL", "QUATERNION",
+                                                         "EXPONENTIAL"};
+constexpr std::array kPackedView{
+    index("buffer", "buffers").must(),        integer("byteOffset").at_least(0),
+    integer("byteLength").at_least(1).must(), integer("byteStride").at_least(1).at_most(256).must(),
+    integer("count").at_least(1).must(),      one_of("mode", kPackedModes).must(),
+    one_of("filter", kPackedFilters)};
+constexpr ObjectRule kPackedViewRule{"packedView", kPackedView};
+constexpr std::array kFallback{boolean("fallback")};
+constexpr ObjectRule kFallbackRule{"fallbackBuffer", kFallback};
+
 // --- variants and the rest
 // ------------------------------------------------------------------------
 
@@ -99,6 +119,9 @@ constexpr ObjectRule kTransformRule{"textureTransform", kTransform};
 constexpr ObjectRule kNothingRule{"nothing", {}};
 
 constexpr std::array kExtensions{
+    ExtensionRule{"EXT_mesh_gpu_instancing", "node", &kInstancingRule},
+    ExtensionRule{"EXT_meshopt_compression", "buffer", &kFallbackRule},
+    ExtensionRule{"EXT_meshopt_compression", "bufferView", &kPackedViewRule},
     ExtensionRule{"EXT_texture_webp", "texture", &kImageSourceRule},
     ExtensionRule{"KHR_animation_pointer", "animationTarget", &kPointerRule},
     ExtensionRule{"KHR_lights_punctual", "glTF", &kLightsRule},
