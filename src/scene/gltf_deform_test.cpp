@@ -110,6 +110,22 @@ TEST_F(GltfTest, WrongSkinsAreRefused) {
                  {"JOINTS_0"});
 }
 
+// Each instance has vertices of its own: many nodes of one small mesh can take all memory.
+TEST_F(GltfTest, DeformedInstancesCountAgainstTheLimit) {
+  std::string more;
+  for (int i = 0; i < 20; ++i) more += R"(,{"mesh":0,"skin":0})";
+  std::string json =
+      with(skinned_json(), R"("rotation":[0,0,0.70710678,0.70710678]})",
+           R"("children":[3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22]})" + more);
+  LoadLimits limits;
+  limits.vertices = 6 + 21 * 5;  // the mesh' 3 and, flat, 3 more; an instance's 3 and two joints
+  const auto scene = load(json, limits);
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_EQ(scene->instances.size(), 21u);
+  --limits.vertices;
+  expect_refused(json, {"nodes[22]", "more than 110 vertices"}, limits);
+}
+
 // The triangle with two targets: one lifts its second vertex by z = 1, one moves all by x = 2.
 std::string morphed_json() {
   const std::string bytes = bytes_of<float>({0, 0, 0, 0, 0, 1, 0, 0, 0}) +

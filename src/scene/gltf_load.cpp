@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/gltf_load.h"
 
+#include <algorithm>
 #include <cmath>
 #include <new>
 #include <string>
@@ -69,16 +70,21 @@ class InstanceReader {
     MeshInstance instance{.node = node, .mesh = place};
     LUEUR_TRY(weights, read_morph_weights(*file_, at, file_mesh, drawn));
     instance.morph_weights = std::move(weights);
+    LUEUR_TRY(copies, read_copies(*file_, at, file_->limits().nodes - scene_->nodes.size()));
+    const size_t count = std::max(copies.size(), size_t{1});
+    if (!drawn.morph_targets.empty())
+      LUEUR_TRY_VOID(spend(at, drawn.vertices.size() + drawn.morph_targets.size(), count));
     LUEUR_TRY(file_skin, at.index("skin", place_of_skin_.size(), "skins"));
     if (file_skin != kNone && drawn.influences.empty()) {
       warnings_->add("a mesh without joints has a skin: drawn where its node is");
     } else if (file_skin != kNone) {
       LUEUR_TRY(of_instance, skin(file_skin));
-      LUEUR_TRY_VOID(check_fit(at, drawn, scene_->skins[static_cast<size_t>(of_instance)]));
+      const Skin& follows = scene_->skins[static_cast<size_t>(of_instance)];
+      LUEUR_TRY_VOID(spend(at, drawn.vertices.size() + follows.joints.size(), count));
+      LUEUR_TRY_VOID(check_fit(at, drawn, follows));
       instance.skin = of_instance;
     }
 
-    LUEUR_TRY(copies, read_copies(*file_, at, file_->limits().nodes - scene_->nodes.size()));
     if (copies.empty()) scene_->instances.push_back(std::move(instance));
     for (Node& copy : copies) {
       copy.parent = node;
@@ -86,6 +92,17 @@ class InstanceReader {
       scene_->nodes.push_back(std::move(copy));
       scene_->instances.push_back(instance);
     }
+    return {};
+  }
+
+  // Each instance that deforms has vertices of its own, so that a few nodes can ask for more memory
+  // than all meshes; its joints and weights, too, take time with each.
+  Result<void> spend(const JsonCursor& at, uint64_t cost, size_t count) {
+    if (cost > budget_.vertices / count)
+      return at.error("with its skins and morph targets the scene has more than " +
+                      std::to_string(file_->limits().vertices) +
+                      " vertices, of which each node has its own; use fewer nodes");
+    budget_.vertices -= cost * count;
     return {};
   }
 

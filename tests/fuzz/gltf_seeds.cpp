@@ -38,7 +38,9 @@ class Draft {
     const std::string length = named("byteLength", count * stride);
     buffers_ = listed(buffers_, "{" + length + "}");
     const size_t unpacked = buffer_count_++;
+    const bool of_vertices = mode.find("ATTRIBUTES") != std::string::npos;
     return add_view("{" + named("buffer", unpacked) + "," + length +
+                    (of_vertices ? "," + named("byteStride", stride) : "") +
                     R"(,"extensions":{"EXT_meshopt_compression":{)" +
                     named("buffer", buffer(packed)) + "," + named("byteLength", packed.size()) +
                     "," + sizes + "," + mode + "}}}");
@@ -87,8 +89,8 @@ std::string mesh(const std::string& attributes, const std::string& more = "",
          mesh_more + "}]";
 }
 
-std::string extended(const char* extension) {
-  return R"("extensionsUsed":[")" + std::string(extension) + "\"],";
+std::string extended(const std::string& extensions) {
+  return R"("extensionsUsed":[)" + extensions + "],";
 }
 
 // A triangle with a skin of two joints, a morph target, and a spline for each kind of channel.
@@ -98,7 +100,9 @@ std::string deformed() {
   const size_t joints = draft.data<uint8_t>({0, 1, 0, 0, 0, 1, 0, 0, 1, 0, 0, 0}, kByte, "VEC4", 3);
   const size_t weights = draft.data<uint8_t>({255, 0, 0, 0, 128, 127, 0, 0, 255, 0, 0, 0}, kByte,
                                              "VEC4", 3, R"(,"normalized":true)");
-  const size_t lifted = draft.data<float>({0, 0, 1, 0, 0, 0, 0, 0, 2}, kFloat, "VEC3", 3);
+  const size_t normals = draft.data<float>({0, 0, 1, 0, 0, 1, 0, 0, 1}, kFloat, "VEC3", 3);
+  const size_t lifted = draft.data<float>({0, 0, 1, 0, 0, 0, 0, 0, 2}, kFloat, "VEC3", 3,
+                                          R"(,"min":[0,0,0],"max":[0,0,2])");
   const size_t binds = draft.data<float>({1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0,  0, 1,
                                           1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, -1, 0, 1},
                                          kFloat, "MAT4", 2);
@@ -112,8 +116,8 @@ std::string deformed() {
 {"translation":[0,1,0]}],
 "skins":[{"joints":[1,2],"skeleton":1,)" +
       named("inverseBindMatrices", binds) + "}],\n" +
-      mesh(named("POSITION", positions) + "," + named("JOINTS_0", joints) + "," +
-               named("WEIGHTS_0", weights),
+      mesh(named("POSITION", positions) + "," + named("NORMAL", normals) + "," +
+               named("JOINTS_0", joints) + "," + named("WEIGHTS_0", weights),
            R"(,"targets":[{)" + named("POSITION", lifted) + "," + named("NORMAL", lifted) + "}]",
            R"(,"weights":[0.5])") +
       R"(,
@@ -165,7 +169,9 @@ std::string meshopt() {
                                       kUint16, "SCALAR", 3);
   const size_t strip = draft.accessor(draft.packed_view(sequence, 3, 2, R"("mode":"INDICES")"),
                                       kUint16, "SCALAR", 3);
-  return draft.text(extended("EXT_meshopt_compression") + R"("nodes":[{"mesh":0}],)" +
+  return draft.text(extended(R"("EXT_meshopt_compression","KHR_mesh_quantization")") +
+                    R"("extensionsRequired":["EXT_meshopt_compression","KHR_mesh_quantization"],)" +
+                    R"("nodes":[{"mesh":0}],)" +
                     mesh(attributes, "," + named("indices", faces) + R"(},{"attributes":{)" +
                                          attributes + R"(},"mode":5,)" + named("indices", strip)));
 }
@@ -177,7 +183,7 @@ std::string instanced() {
   const size_t turns = draft.data<int16_t>({0, 0, 0, 32767, 0, 0, 23170, 23170}, kShort, "VEC4", 2,
                                            R"(,"normalized":true)");
   const size_t sizes = draft.data<float>({1, 1, 1, 2, 3, 4}, kFloat, "VEC3", 2);
-  return draft.text(extended("EXT_mesh_gpu_instancing") + mesh(named("POSITION", positions)) +
+  return draft.text(extended(R"("EXT_mesh_gpu_instancing")") + mesh(named("POSITION", positions)) +
                     R"(,
 "nodes":[{"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{"attributes":{)" +
                     named("TRANSLATION", places) + "," + named("ROTATION", turns) + "," +
@@ -185,7 +191,8 @@ std::string instanced() {
 }
 
 // Colours, and three sets of texture coordinates of which two are used.
-std::string surface(const std::string& materials, const std::string& png) {
+std::string surface(const std::string& extensions, const std::string& materials,
+                    const std::string& png) {
   Draft draft;
   const size_t positions = draft.triangle();
   const size_t colors = draft.data<uint8_t>({255, 0, 51, 102, 0, 0, 0, 0, 1, 2, 3, 4}, kByte,
@@ -195,16 +202,16 @@ std::string surface(const std::string& materials, const std::string& png) {
       draft.data<uint16_t>({0, 1, 2, 3, 65535, 5}, kUint16, "VEC2", 3, R"(,"normalized":true)");
   const std::string attributes = named("POSITION", positions) + "," + named("COLOR_0", colors) +
                                  "," + named("TEXCOORD_0", places) + "," +
-                                 named("TEXCOORD_1", shares) + "," + named("TEXCOORD_3", places);
-  return draft.text(R"("nodes":[{"mesh":0}],)" + mesh(attributes, R"(,"material":0)") +
-                    ",\n\"materials\":[" + materials + R"(],
+                                 named("TEXCOORD_1", shares) + "," + named("TEXCOORD_2", places);
+  return draft.text(extended(extensions) + R"("nodes":[{"mesh":0}],)" +
+                    mesh(attributes, R"(,"material":0)") + ",\n\"materials\":[" + materials + R"(],
 "textures":[{"source":0,"sampler":0}],"samplers":[{"wrapS":33648,"magFilter":9728}],
 "images":[{"uri":"data:image/png;base64,)" +
                     base64(png) + "\"}]");
 }
 
 constexpr const char* kTransformed =
-    R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":3,
+    R"({"pbrMetallicRoughness":{"baseColorTexture":{"index":0,"texCoord":2,
 "extensions":{"KHR_texture_transform":{"offset":[0.5,0.25],"rotation":0.7,"scale":[2,-3],
 "texCoord":1}}}},"normalTexture":{"index":0,"scale":0.5},
 "occlusionTexture":{"index":0,"strength":0.5},"emissiveTexture":{"index":0,"texCoord":1},
@@ -242,8 +249,11 @@ std::vector<GltfSeed> gltf_seeds(const std::string& png) {
   return {{"deformed", deformed()},
           {"meshopt", meshopt()},
           {"instanced", instanced()},
-          {"surface", surface(kTransformed, png)},
-          {"specular-glossiness", surface(kSpecularGlossiness, png)},
+          {"surface", surface(R"("KHR_texture_transform","KHR_materials_unlit",
+"KHR_materials_emissive_strength","KHR_materials_specular")",
+                              kTransformed, png)},
+          {"specular-glossiness",
+           surface(R"("KHR_materials_pbrSpecularGlossiness")", kSpecularGlossiness, png)},
           {"sparse", sparse()}};
 }
 
