@@ -2,6 +2,7 @@
 #include "scene/deform.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -48,9 +49,15 @@ void skin(const Mesh& mesh, const Skin& skin, const std::vector<glm::mat4>& worl
   }
 }
 
+bool is_finite(const glm::vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
 glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
-  const float length = glm::length(v);
-  return length > 0.0f && length < std::numeric_limits<float>::infinity() ? v / length : fallback;
+  // In double precision: squares of tiny and of huge vectors leave the range of floats.
+  const glm::dvec3 wide(v);
+  const double length = glm::length(wide);
+  return length > 0.0 && std::isfinite(length) ? glm::vec3(wide / length) : fallback;
 }
 
 std::vector<Vertex> deformed_vertices(const Scene& scene, const MeshInstance& instance,
@@ -62,6 +69,7 @@ std::vector<Vertex> deformed_vertices(const Scene& scene, const MeshInstance& in
     skin(mesh, scene.skins[static_cast<size_t>(instance.skin)], world_from_node, vertices);
   for (size_t i = 0; i < vertices.size(); ++i) {
     Vertex& vertex = vertices[i];
+    if (!is_finite(vertex.position)) vertex.position = mesh.vertices[i].position;
     vertex.normal = unit_or(vertex.normal, mesh.vertices[i].normal);
     const glm::vec3 tangent = unit_or(glm::vec3(vertex.tangent), mesh.vertices[i].tangent);
     vertex.tangent = glm::vec4(tangent, vertex.tangent.w);
@@ -107,6 +115,7 @@ Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
     // Take only vertices that are drawn: files keep stray ones.
     for (const uint32_t index : mesh.indices) {
       const glm::vec3 point(world * glm::vec4(vertices[index].position, 1.0f));
+      if (!is_finite(point)) continue;
       box.min = glm::min(box.min, point);
       box.max = glm::max(box.max, point);
     }

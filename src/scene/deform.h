@@ -24,12 +24,13 @@ struct DeformedInstance {
 
 // glTF 2.0, section 3.7: morph targets first, then the skin, whose joints' matrices are blended by
 // weight. Normals follow by the blended matrix' cofactors; where a morph target has none, they stay
-// as they are. `world_from_node` is pose(scene, time_s).
+// as they are. A vertex that would leave the range of floats stays where the mesh has it.
+// `world_from_node` is pose(scene, time_s).
 std::vector<DeformedInstance> deformed_instances(const Scene& scene,
                                                  const std::vector<glm::mat4>& world_from_node,
                                                  float time_s);
 
-// The box around all that is drawn, in world space.
+// The box around all that is drawn, in world space; finite, as it leaves out what is not.
 Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
               const std::vector<DeformedInstance>& deformed);
 Bounds bounds_at(const Scene& scene, float time_s);

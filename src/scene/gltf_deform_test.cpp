@@ -162,6 +162,26 @@ TEST_F(GltfTest, MorphTargetsAddUpByWeight) {
   expect_near(shaped(*scene)[0].position, {-2, 0, 0}, "both");
 }
 
+// Keys are finite, what they multiply to may not be: vertices stay, and nodes are at rest.
+TEST_F(GltfTest, AnimationNeverLeavesTheRangeOfFloats) {
+  auto scene = load(morphed_json());
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  for (AnimationChannel& channel : scene->animation)
+    for (glm::vec4& value : channel.values) value *= 3e38f;
+  scene->meshes[0].morph_targets[1].positions[0] = {0, 1e10f, 0};
+  expect_near(shaped(*scene, 1.5f)[0].position, {0, 0, 0}, "where the mesh has it");
+
+  scene->animation = {
+      {.node = 0, .times_s = {0, 1, 2}, .values = {glm::vec4(3e38f), glm::vec4(1), glm::vec4(1)}}};
+  Node parent;
+  parent.scale = glm::vec3(1e10f);
+  scene->nodes.insert(scene->nodes.begin(), parent);
+  scene->nodes[1].parent = 0;
+  scene->animation[0].node = 1;
+  EXPECT_EQ(pose(*scene, 0.0f)[1], pose(*scene, 0.0f)[0]);
+  EXPECT_NE(pose(*scene, 1.5f)[1], pose(*scene, 1.5f)[0]);
+}
+
 TEST_F(GltfTest, NodeWeightsTakeThePlaceOfTheMesh) {
   auto scene = load(with(morphed_json(), R"([{"mesh":0}])", R"([{"mesh":0,"weights":[0.25,1]}])"));
   ASSERT_TRUE(scene.ok()) << scene.error().message;

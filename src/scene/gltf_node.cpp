@@ -111,11 +111,6 @@ Result<void> read_transform(const JsonCursor& at, Node& node) {
   return {};
 }
 
-bool is_finite(const glm::mat4& m) {
-  const float* values = glm::value_ptr(m);
-  return std::all_of(values, values + 16, [](float value) { return std::isfinite(value); });
-}
-
 Result<Camera> read_camera(const JsonCursor& at, int32_t node) {
   constexpr float kMaxFov = 3.1f;
   Camera camera;

@@ -82,6 +82,13 @@ TEST_F(GltfTest, EachTextureHasItsOwnCoordinates) {
     EXPECT_EQ(warning.find("more than two sets"), std::string::npos) << warning;
 }
 
+TEST_F(GltfTest, TexturesWithoutAnImageUseNoCoordinates) {
+  const auto scene = load(with(two_sets_json(R"(,"texCoord":3)", ""), R"({"source":0})", "{}"));
+  ASSERT_TRUE(scene.ok()) << scene.error().message;
+  EXPECT_FALSE(scene->materials[0].base_color_texture.is_used());
+  EXPECT_EQ(scene->materials[0].base_color_texture.uv_set, 0u);
+}
+
 TEST_F(GltfTest, TextureTransformsScaleThenTurnThenMove) {
   const auto scene = load(two_sets_json(
       R"(,"texCoord":3,"extensions":{"KHR_texture_transform":

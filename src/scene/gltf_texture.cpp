@@ -79,6 +79,7 @@ Result<TextureUse> GltfTextures::use(const JsonCursor& material, const char* key
   LUEUR_TRY(textures, top.array("textures"));
   LUEUR_TRY(texture, textures.element(static_cast<size_t>(index)));
   LUEUR_TRY(place, place_of(texture));
+  if (place == kNone) return TextureUse();
   use.texture = place;
   return use;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 namespace lueur {
 namespace {
@@ -78,6 +79,11 @@ glm::mat4 local_transform(const Node& node) {
 
 }  // namespace
 
+bool is_finite(const glm::mat4& m) {
+  const float* values = glm::value_ptr(m);
+  return std::all_of(values, values + 16, [](float value) { return std::isfinite(value); });
+}
+
 glm::mat4 world_from_camera(const glm::mat4& world_from_node) {
   glm::mat4 world_from_view(1.0f);
   for (int axis = 0; axis < 3; ++axis)
@@ -104,6 +110,9 @@ std::vector<glm::mat4> pose(const Scene& scene, float time_s) {
   for (const AnimationChannel& channel : scene.animation)
     if (!channel.times_s.empty()) apply(channel, loop_s, nodes[static_cast<size_t>(channel.node)]);
   for (size_t i = 0; i < nodes.size(); ++i) place(i, nodes[i]);
+  // Finite keys still multiply to infinity; at rest the loader has made sure that none do.
+  if (!std::ranges::all_of(world_from_node, is_finite))
+    for (size_t i = 0; i < nodes.size(); ++i) place(i, scene.nodes[i]);
   return world_from_node;
 }
 

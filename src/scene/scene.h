@@ -213,8 +213,11 @@ struct Scene {
 // out, as a camera does not scale.
 glm::mat4 world_from_camera(const glm::mat4& world_from_node);
 
-// World matrices of all nodes at `time_s`; animation loops over its longest channel. How skins and
-// morph targets shape meshes at that time is in scene/deform.h.
+bool is_finite(const glm::mat4& m);
+
+// World matrices of all nodes at `time_s`; animation loops over its longest channel, and where it
+// leaves the range of floats, all nodes are at rest. How skins and morph targets shape meshes at
+// that time is in scene/deform.h.
 std::vector<glm::mat4> pose(const Scene& scene, float time_s);
 
 // The morph weights of an instance at `time_s`, one for each target of its mesh.

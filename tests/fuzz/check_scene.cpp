@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 
 #include "base/check.h"
 #include "fuzz_input.h"
+#include "scene/deform.h"
 #include "scene/framing.h"
 
 namespace lueur {
@@ -60,6 +61,21 @@ void check_skin(const Scene& scene, const MeshInstance& instance) {
     for (int k = 0; k < 4; ++k) LUEUR_CHECK_OP(influence.joints[k], <, skin.joints.size());
 }
 
+// Animation, which files are free to make absurd, keeps all that is drawn within floats.
+void check_time(const Scene& scene, float time_s) {
+  const std::vector<glm::mat4> world = pose(scene, time_s);
+  for (const glm::mat4& matrix : world) LUEUR_CHECK(lueur::is_finite(matrix));
+  const std::vector<DeformedInstance> deformed = deformed_instances(scene, world, time_s);
+  for (const DeformedInstance& instance : deformed)
+    for (const Vertex& vertex : instance.vertices) {
+      LUEUR_CHECK(is_finite(vertex.position));
+      LUEUR_CHECK(is_unit(vertex.normal));
+      LUEUR_CHECK(is_unit(glm::vec3(vertex.tangent)));
+    }
+  const Bounds box = bounds(scene, world, deformed);
+  LUEUR_CHECK(is_finite(box.min) && is_finite(box.max));
+}
+
 }  // namespace
 
 void check_scene(const Scene& scene) {
@@ -75,8 +91,11 @@ void check_scene(const Scene& scene) {
   }
   for (const Texture& texture : scene.textures)
     LUEUR_CHECK_OP(texture.rgba.size(), ==, size_t{texture.width} * texture.height * 4);
-  for (const glm::mat4& world : pose(scene, 0.0f))
-    for (int i = 0; i < 16; ++i) LUEUR_CHECK(std::isfinite(glm::value_ptr(world)[i]));
+  float duration_s = 0.0f;
+  for (const AnimationChannel& channel : scene.animation)
+    for (const float time_s : channel.times_s) duration_s = std::max(duration_s, time_s);
+  check_time(scene, 0.0f);
+  if (duration_s > 0.0f) check_time(scene, 0.4f * duration_s);
 }
 
 void check_completed(const Scene& scene) {

@@ -71,11 +71,9 @@ TEST(Conformance, ExtensionsOfGeometryAreHeldAgainstTheSchema) {
   expect_fault(
       with(copies, R"({"mesh":0})", R"({"mesh":0,"extensions":{"EXT_mesh_gpu_instancing":{}}})"),
       "nodes[0].extensions.EXT_mesh_gpu_instancing: attributes is missing");
-  expect_fault(with(used("EXT_meshopt_compression"), R"("byteLength":6}])",
-                    R"("byteLength":6,"extensions":{"EXT_meshopt_compression":
-{"buffer":0,"byteLength":6,"byteStride":2,"count":3,"mode":"INDEX"}}}])"),
-               "bufferViews[1].extensions.EXT_meshopt_compression.mode: 'INDEX' is not "
-               "ATTRIBUTES, TRIANGLES or INDICES");
+  expect_fault(with(used("EXT_meshopt_compression"), R"({"byteLength":42)",
+                    R"({"extensions":{"EXT_meshopt_compression":{"fallback":1}},"byteLength":42)"),
+               "buffers[0].extensions.EXT_meshopt_compression.fallback: has to be true or false");
 }
 
 TEST(Conformance, DataAreHeldAgainstWhatIsDeclared) {
