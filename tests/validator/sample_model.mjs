@@ -138,7 +138,12 @@ function materials() {
       doubleSided: true,
       extensions: {KHR_materials_unlit: {}},
     },
-    {name: 'plain', emissiveFactor: [1, 1, 1], emissiveTexture: texture(0, 1)},
+    {
+      name: 'plain',
+      pbrMetallicRoughness: {baseColorTexture: texture(0, 0)},
+      emissiveFactor: [1, 1, 1],
+      emissiveTexture: texture(0, 1),
+    },
   ];
 }
 
