@@ -61,10 +61,11 @@ glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& fallback) {
 }
 
 std::vector<Vertex> deformed_vertices(const Scene& scene, const MeshInstance& instance,
-                                      const std::vector<glm::mat4>& world_from_node, float time_s) {
+                                      const std::vector<glm::mat4>& world_from_node,
+                                      const std::vector<float>& weights) {
   const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
   std::vector<Vertex> vertices = mesh.vertices;
-  morph(mesh, morph_weights(scene, instance, time_s), vertices);
+  morph(mesh, weights, vertices);
   if (instance.skin != kNone)
     skin(mesh, scene.skins[static_cast<size_t>(instance.skin)], world_from_node, vertices);
   for (size_t i = 0; i < vertices.size(); ++i) {
@@ -93,11 +94,12 @@ glm::mat4 world_from_instance(const MeshInstance& instance,
 std::vector<DeformedInstance> deformed_instances(const Scene& scene,
                                                  const std::vector<glm::mat4>& world_from_node,
                                                  float time_s) {
+  const std::vector<std::vector<float>> weights = morph_weights(scene, time_s);
   std::vector<DeformedInstance> deformed;
   for (size_t i = 0; i < scene.instances.size(); ++i)
     if (is_deformed(scene, scene.instances[i]))
       deformed.push_back(
-          {i, deformed_vertices(scene, scene.instances[i], world_from_node, time_s)});
+          {i, deformed_vertices(scene, scene.instances[i], world_from_node, weights[i])});
   return deformed;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <unordered_map>
 
 namespace lueur {
 namespace {
@@ -116,16 +117,24 @@ std::vector<glm::mat4> pose(const Scene& scene, float time_s) {
   return world_from_node;
 }
 
-std::vector<float> morph_weights(const Scene& scene, const MeshInstance& instance, float time_s) {
-  const Mesh& mesh = scene.meshes[static_cast<size_t>(instance.mesh)];
-  std::vector<float> weights = instance.morph_weights;
-  weights.resize(mesh.morph_targets.size(), 0.0f);
-  if (weights.empty()) return weights;
+std::vector<std::vector<float>> morph_weights(const Scene& scene, float time_s) {
+  std::vector<std::vector<float>> weights;
+  std::unordered_multimap<int32_t, size_t> instances_of_node;
+  for (const MeshInstance& instance : scene.instances) {
+    const size_t targets = scene.meshes[static_cast<size_t>(instance.mesh)].morph_targets.size();
+    if (targets > 0) instances_of_node.emplace(instance.node, weights.size());
+    weights.push_back(instance.morph_weights);
+    weights.back().resize(targets, 0.0f);
+  }
   const float loop_s = looped_time(scene.animation, time_s);
-  for (const AnimationChannel& channel : scene.animation)
-    if (channel.path == AnimationPath::morph_weight && channel.node == instance.node &&
-        channel.morph_target < weights.size() && !channel.times_s.empty())
-      weights[channel.morph_target] = sample(channel, loop_s).x;
+  for (const AnimationChannel& channel : scene.animation) {
+    if (channel.path != AnimationPath::morph_weight || channel.times_s.empty()) continue;
+    const auto [first, last] = instances_of_node.equal_range(channel.node);
+    for (auto moved = first; moved != last; ++moved)
+      if (std::vector<float>& of_instance = weights[moved->second];
+          channel.morph_target < of_instance.size())
+        of_instance[channel.morph_target] = sample(channel, loop_s).x;
+  }
   return weights;
 }
 

@@ -220,8 +220,9 @@ bool is_finite(const glm::mat4& m);
 // that time is in scene/deform.h.
 std::vector<glm::mat4> pose(const Scene& scene, float time_s);
 
-// The morph weights of an instance at `time_s`, one for each target of its mesh.
-std::vector<float> morph_weights(const Scene& scene, const MeshInstance& instance, float time_s);
+// The morph weights of each instance at `time_s`, one for each target of its mesh. Of all at once,
+// as files may have many channels beside many instances.
+std::vector<std::vector<float>> morph_weights(const Scene& scene, float time_s);
 
 // A box in world space.
 struct Bounds {
