@@ -16,7 +16,7 @@
 namespace lueur {
 
 struct Renderer::State {
-  Scene scene;  // without its vertices, texels and environment's pixels
+  Scene scene;  // without its texels and the pixels of its environment
   std::unique_ptr<SceneOnDevice> on_device;
   std::optional<Background> background;
   std::vector<std::string> warnings;
