@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/builtin/builtin.h"
+#include "scene/builtin/builtin_fixture.h"
 #include "scene/builtin/procedural_texture.h"
 #include "scene/builtin/scene_builder.h"
 #include "scene/builtin/shapes.h"
@@ -18,12 +18,6 @@
 
 namespace lueur {
 namespace {
-
-Scene make(const std::string& spec) {
-  Result<Scene> scene = make_builtin_scene(spec);
-  EXPECT_TRUE(scene.ok()) << scene.error().message;
-  return scene.ok() ? std::move(*scene) : Scene{};
-}
 
 // A red brick 2 x 1 x 4 m that hangs off the origin, lit and filmed by its file, and moving.
 Scene brick() {
