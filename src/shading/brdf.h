@@ -34,8 +34,8 @@ LUEUR_SHARED vec3 fresnel_schlick(vec3 f0, float f90, float cos_half) {
 }
 
 // GGX with height-correlated Smith shadowing: brdf, without the cosine. Cosines are positive.
-LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float f90, float perceptual_roughness, float cos_light, float cos_view,
-                           float cos_normal_half, float cos_light_half) {
+LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float f90, float perceptual_roughness, float cos_light,
+                           float cos_view, float cos_normal_half, float cos_light_half) {
   const float alpha = max(perceptual_roughness * perceptual_roughness, kLeastAlpha);
   const float a2 = alpha * alpha;
   const float d = cos_normal_half * cos_normal_half * (a2 - 1.0f) + 1.0f;
