@@ -176,6 +176,10 @@ Outcome run_export(const Options& options) {
   LUEUR_TRY_VOID(check_writable(options.output));
   LUEUR_TRY(loaded, load_scene(options.scene, {}, options.limits));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
+  for (const Material& material : loaded.scene.materials)
+    if (material.phong)
+      print_warning("material '" + material.name +
+                    "': its Phong lobe is left out, as glTF has none");
   LUEUR_TRY_VOID(export_glb(loaded.scene, options.output));
   print_progress("wrote " + options.output);
   return kExitDone;

@@ -12,10 +12,10 @@
 #include "scene/deform.h"
 #include "scene/gltf_animation.h"
 #include "scene/gltf_file.h"
+#include "scene/gltf_instance.h"
 #include "scene/gltf_material.h"
 #include "scene/gltf_mesh.h"
 #include "scene/gltf_node.h"
-#include "scene/gltf_skin.h"
 #include "scene/gltf_texture.h"
 
 namespace lueur {

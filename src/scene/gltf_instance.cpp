@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scene/gltf_skin.h"
+#include "scene/gltf_instance.h"
 
 #include <algorithm>
 #include <cmath>
