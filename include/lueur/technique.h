@@ -8,20 +8,12 @@
 #include <string_view>
 
 #include "lueur/context.h"
+#include "lueur/g_buffer.h"
+#include "lueur/host.h"
 #include "lueur/settings.h"
 #include "lueur/view.h"
 
 namespace lueur {
-
-// The camera's G-buffer, all images of one extent W x H from 1x1 to the device's limit.
-struct GBuffer {
-  Image depth;   // d32f or r32f: as the view's projection yields it; cleared where nothing is
-  Image normal;  // two channels, [-1, 1]: unit normal in world space, octahedral (see
-                 // shading/packing.h)
-  // rgba16f or rgba32f, alpha ignored: diffuse outgoing radiance, i.e. albedo x direct irradiance
-  // / pi + emission. No specular reflection, no fog, no sky: what is not a surface has to be 0.
-  Image source;
-};
 
 struct Inputs {
   View view;
@@ -29,6 +21,17 @@ struct Inputs {
   // Chooses the pattern of samples: the same seed gives the same bits. For an animation, count it
   // up.
   uint32_t seed = 0;
+
+  // The view of the frame before, to which `g_buffer.motion` leads. `cut`: that frame showed
+  // something else, and nothing of it shall last.
+  View previous_view{};
+  bool cut = false;
+  // What g_buffer.reflectance points at. Valid while the technique records.
+  std::span<const CosineLobe> lobes{};
+  // Other cameras whose pictures may hold light that the main one does not see.
+  std::span<const View> side_views{};
+  // What a technique asks for more than that; nullptr: it does without.
+  Host* host = nullptr;
 };
 
 // Per pixel of the G-buffer, linear, in the radiance unit of `source`. What a technique does not

@@ -20,14 +20,10 @@
 #include <vector>
 
 #include "gpu/command_list.h"
+#include "lueur/buffer.h"
 #include "lueur/context.h"
 
 namespace lueur {
-
-// A buffer of this frame: a transient one, or a slice of what was uploaded.
-struct BufferRef {
-  uint32_t index = Image::kInvalid;
-};
 
 // A persistent image that only ever is sampled, such as a scene's texture.
 struct SampledTexture {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// What a technique may ask of the engine beyond the camera's own G-buffer. All of it is optional:
+// see what each technique says it needs.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "lueur/g_buffer.h"
+#include "lueur/triangles.h"
+
+namespace lueur {
+
+class Frame;
+
+inline constexpr int32_t kAllLights = -1;
+
+// A light without extent, as glTF's KHR_lights_punctual has them. World space, metres, linear
+// Rec.709.
+struct PunctualLight {
+  enum class Kind : int32_t { point, spot, directional };
+  Kind kind = Kind::point;
+  std::array<float, 3> position{};                    // point, spot
+  std::array<float, 3> direction{0.0f, 0.0f, -1.0f};  // in which it shines, unit: spot, directional
+  std::array<float, 3> intensity{};                   // cd (point, spot) or lux (directional)
+  float inner_cone_rad = 0.0f;                        // half angles: spot
+  float outer_cone_rad = 0.7853982f;
+  float range_m = std::numeric_limits<float>::infinity();
+};
+
+// A box in world space.
+struct Box {
+  std::array<float, 3> min{};
+  std::array<float, 3> max{};
+};
+
+// The engine's side. Called by techniques while they record, in the middle of a frame; what it
+// records goes into the same frame.
+class Host {
+ public:
+  virtual ~Host() = default;
+
+  // The G-buffer of what `view` sees, `extent` pixels large; invalid images if the engine cannot.
+  // With a light's index, `source` holds the diffuse reflection of that light alone, without
+  // emission.
+  virtual GBuffer render_view(Frame& frame, const View& view, Extent extent,
+                              int32_t light = kAllLights) = 0;
+
+  virtual std::span<const PunctualLight> lights() const = 0;
+
+  // Around all that is drawn.
+  virtual Box bounds() const = 0;
+
+  // All that casts shadows, as it is in this frame. Valid until the frame ends.
+  virtual std::span<const TriangleBatch> triangles(Frame& frame) = 0;
+};
+
+}  // namespace lueur
