@@ -21,10 +21,12 @@ namespace lueur {
 
 struct HierarchicalSettings {
   enum class Start : int32_t { full, half, quarter };
+  enum class Pyramid : int32_t { closest, vote };
   enum class FormFactor : int32_t { disc, point };
   enum class Sampling : int32_t { sparse, every_pixel };
 
   Start start = Start::half;
+  Pyramid pyramid = Pyramid::closest;
   int32_t levels = 6;
   int32_t samples = 64;
   int32_t sample_growth = 4;
@@ -33,6 +35,11 @@ struct HierarchicalSettings {
   Sampling sampling = Sampling::sparse;
   bool rotate = true;
   bool filter = true;
+  float temporal = 0.9f;
+  bool temporal_clamp = false;
+  int32_t bounces = 1;
+  bool interleave = false;
+  bool feedback = false;
   int32_t only_level = 0;
 };
 
@@ -51,6 +58,7 @@ class Hierarchical final : public Technique {
 
  private:
   HierarchicalSettings settings_;
+  uint64_t frames_ = 0;  // recorded
 };
 
 // Samples that a pixel takes at `level`, counted from 0 for the finest.

@@ -12,31 +12,35 @@ layout(set = 0, binding = 2, rgba32f) uniform writeonly image2D geometry_out;
 layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D source_out;
 layout(push_constant, scalar) uniform Push { DownsampleParams p; };
 
+// Outside of the image z loads as 0 (robustImageAccess).
+vec4 fine_surface(ivec2 fine_pixel) { return imageLoad(geometry, fine_pixel); }
+
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, p.extent))) return;
 
+  // As in prepare.comp: what is no surface counts as black.
   vec4 children[4];
-  int nearest = 0;
+  int decider = 0;
+  float most = 0.0;
   vec3 radiance = vec3(0.0);
   for (int i = 0; i < 4; ++i) {
     const ivec2 child = pixel * 2 + ivec2(i & 1, i >> 1);
-    const bool is_inside = all(lessThan(child, p.fine_extent));
-    children[i] = is_inside ? imageLoad(geometry, child) : vec4(0.0);
-    // As in prepare.comp: what is no surface counts as black.
-    if (is_inside) radiance += imageLoad(source, child).rgb;
-    const bool is_first = children[nearest].w == 0.0;
-    if (children[i].w > 0.0 && (is_first || children[i].w < children[nearest].w)) nearest = i;
+    children[i] = fine_surface(child);
+    radiance += imageLoad(source, child).rgb;
+    const float claimed = claim(children[i], child);
+    if (claimed > most) decider = i;
+    most = max(most, claimed);
   }
   radiance *= 0.25;
 
   const vec2 ray = ray_through(p.screen, vec2(pixel) + 0.5);
   const vec2 first_ray = (vec2(pixel * 2) + 0.5) * p.fine_scale + p.screen.ray_offset;
-  const vec2 nearest_ray = first_ray + vec2(nearest & 1, nearest >> 1) * p.fine_scale;
+  const vec2 decider_ray = first_ray + vec2(decider & 1, decider >> 1) * p.fine_scale;
   SurfaceSum sum = SurfaceSum(vec3(0.0), 0.0, 0.0);
   for (int i = 0; i < 4; ++i)
     if (children[i].w > 0.0)
-      add_to_surface(sum, children[nearest], nearest_ray, children[i],
+      add_to_surface(sum, children[decider], decider_ray, children[i],
                      first_ray + vec2(i & 1, i >> 1) * p.fine_scale, ray);
   const vec4 surface = surface_mean(sum);
   write_level(pixel, surface, ray, radiance);

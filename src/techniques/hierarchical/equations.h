@@ -41,6 +41,22 @@ LUEUR_SHARED vec2 spiral_start(uvec2 pixel, uint level, uint seed, bool rotate) 
   return fract(vec2((cell + 0.5f) / 9.0f + offset, (cell * 4.0f + 0.5f) / 9.0f + offset * 0.3247f));
 }
 
+// FDP 4, "temporal filtering": the largest share of the last frame, less where the picture moves
+// fast and where lobes are narrow, as what a surface shows through a narrow lobe does not move with
+// it. `exponent` is the cosine lobe's, 1 for diffuse surfaces; a lobe is about 1 / sqrt(exponent)
+// wide.
+LUEUR_SHARED float history_weight(float most, float moved_px, float exponent) {
+  return most * exp(-moved_px * sqrt(exponent) / 200.0f);
+}
+
+// FDP (5): what neighbour j adds to the score of pixel i. The widths of the three Gaussians are not
+// in the paper: one pixel, a cosine of 0.9, and 2 % of the depth.
+LUEUR_SHARED float vote(float distance_px, float cos_normals, float z_difference, float z) {
+  const float normals = (1.0f - cos_normals) / 0.1f;
+  const float depths = z_difference / (0.02f * z);
+  return exp(-0.5f * (distance_px * distance_px + normals * normals + depths * depths));
+}
+
 // How much two points belong to the same smooth piece of surface, for the joint bilateral filters.
 // The distance of q from p's tangent plane counts against p's depth: `flatness` is the distance, as
 // a share of the depth, at which the weight is 0. Normals count with the 8th power of their cosine.

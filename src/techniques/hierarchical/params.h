@@ -10,6 +10,12 @@ LUEUR_NAMESPACE_BEGIN
 // See bilateral_weight(): 2 % of the depth.
 const float kFlatness = 0.02f;
 
+// The same for points of two frames: objects come nearer meanwhile.
+const float kSameSurface = 0.05f;
+
+// How many standard deviations of its neighbours light may lie off their mean.
+const float kClampSpread = 1.5f;
+
 struct PrepareParams {
   Screen screen;
   mat3 view_from_world;  // rotation, for normals
@@ -38,6 +44,25 @@ struct GatherParams {
   uint rotate;  // 0 or 1
 };
 
+struct AlbedoParams {
+  ivec2 full_extent;
+  ivec2 extent;
+};
+
+struct ReflectParams {
+  ivec2 extent;
+  float own_weight;  // 1: on top of the source that is there, 0: alone
+};
+
+struct DownsampleSourceParams {
+  ivec2 fine_extent;
+  ivec2 extent;
+};
+
+struct AddParams {
+  ivec2 extent;
+};
+
 struct FilterParams {
   Screen screen;
   ivec2 extent;
@@ -49,6 +74,21 @@ struct UpsampleParams {
   ivec2 extent;       // fine, pixels
   ivec2 coarse_extent;
   float own_weight;  // 1: add the fine level's own light, 0: do not
+};
+
+struct WarpParams {
+  Screen screen;    // of the full image, now
+  Screen previous;  // and in the frame before
+  mat4 previous_view_from_view;
+  ivec2 full_extent;
+  ivec2 extent;  // of level 0
+  float most;    // the largest weight
+};
+
+struct TemporalParams {
+  ivec2 extent;
+  uint has_light;    // 1, or 0: this frame has none, the last one's stays
+  uint has_history;  // 1, or 0: nothing is known of the last frame
 };
 
 struct OutputParams {

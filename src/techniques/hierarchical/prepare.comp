@@ -20,6 +20,19 @@ layout(set = 0, binding = 3, rgba32f) uniform writeonly image2D geometry_out;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D source_out;
 layout(set = 0, binding = 5, scalar) uniform Params { PrepareParams value; } params;
 
+vec4 surface_of(float d, vec2 n, ivec2 fine_pixel) {
+  const PrepareParams p = params.value;
+  const bool is_surface = d != p.screen.depth_of_nothing &&
+                          all(lessThan(uvec2(fine_pixel), uvec2(p.full_extent)));
+  return is_surface ? vec4(p.view_from_world * octahedral_decode(n), z_from_depth(p.screen, d))
+                    : vec4(0.0);
+}
+
+vec4 fine_surface(ivec2 fine_pixel) {
+  const ivec2 inside = clamp(fine_pixel, ivec2(0), params.value.full_extent - 1);
+  return surface_of(texelFetch(depth, inside, 0).r, texelFetch(normal, inside, 0).rg, fine_pixel);
+}
+
 void main() {
   const PrepareParams p = params.value;
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -40,28 +53,26 @@ void main() {
   // Normal in view space and z of each pixel; z = 0 where there is no surface, and beyond the image's
   // edge. Both count as black: the sum of radiance times area is the same at every level.
   vec4 children[factor * factor];
-  int nearest = 0;
+  int decider = 0;
+  float most = 0.0;
   vec3 radiance_sum = vec3(0.0);
   for (int i = 0; i < factor * factor; ++i) {
     const ivec2 child = pixel * factor + ivec2(i % factor, i / factor);
-    const bool is_surface =
-        d[i] != p.screen.depth_of_nothing && all(lessThan(child, p.full_extent));
-    children[i] = is_surface ? vec4(p.view_from_world * octahedral_decode(n[i]),
-                                    z_from_depth(p.screen, d[i]))
-                             : vec4(0.0);
-    if (is_surface) radiance_sum += radiance[i];
-    const bool is_first = children[nearest].w == 0.0;
-    if (is_surface && (is_first || children[i].w < children[nearest].w)) nearest = i;
+    children[i] = surface_of(d[i], n[i], child);
+    if (children[i].w > 0.0) radiance_sum += radiance[i];
+    const float claimed = claim(children[i], child);
+    if (claimed > most) decider = i;
+    most = max(most, claimed);
   }
 
   const vec2 first_ray = ray_through(p.screen, vec2(pixel * factor) + 0.5);
   const vec2 ray = ray_through(p.screen, (vec2(pixel) + 0.5) * float(factor));
-  const vec2 nearest_ray =
-      first_ray + vec2(nearest % factor, nearest / factor) * p.screen.ray_scale;
+  const vec2 decider_ray =
+      first_ray + vec2(decider % factor, decider / factor) * p.screen.ray_scale;
   SurfaceSum sum = SurfaceSum(vec3(0.0), 0.0, 0.0);
   for (int i = 0; i < factor * factor; ++i)
     if (children[i].w > 0.0)
-      add_to_surface(sum, children[nearest], nearest_ray, children[i],
+      add_to_surface(sum, children[decider], decider_ray, children[i],
                      first_ray + vec2(i % factor, i / factor) * p.screen.ray_scale, ray);
   const vec4 surface = surface_mean(sum);
   write_level(pixel, surface, ray, radiance_sum / float(factor * factor));

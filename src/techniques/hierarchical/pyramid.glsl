@@ -4,7 +4,8 @@
 //   geometry  rgba32f: unit normal in view space, z (distance along the optical axis; 0: nothing)
 //   source    rgba16f: radiance times the share of the pixel that is covered, foreshortening
 //
-// HSSIL 4, filter `closest`: of the pixels below, the one nearest to the camera decides.
+// Of the pixels below, one decides. Filter `closest`, HSSIL 4: the one nearest to the camera. Filter
+// `vote`, FDP (5): the one whose surface its neighbours share the most.
 // differs: it decides which surface is kept, and the pixels on that surface are averaged; the paper
 // keeps the one pixel. That one lies beside the large pixel's centre, always to the same side of a
 // curved surface, and its normal and position do not fit each other there: inside a sphere the
@@ -13,7 +14,29 @@
 #include "techniques/hierarchical/equations.h"
 #include "techniques/hierarchical/params.h"
 
-const float kNothingZ = 3.0e38;
+// 0: `closest`, 1: `vote`.
+layout(constant_id = 1) const uint by_vote = 0;
+
+// Unit normal in view space and z of a pixel of the finer image; z = 0 where there is no surface and
+// outside of the image.
+vec4 fine_surface(ivec2 fine_pixel);
+
+// FDP (5): the score of a pixel, from itself and its four neighbours.
+float score(vec4 own, ivec2 fine_pixel) {
+  float sum = vote(0.0, 1.0, 0.0, own.w);
+  for (int j = 0; j < 4; ++j) {
+    const int side = (j & 1) * 2 - 1;
+    const vec4 other = fine_surface(fine_pixel + (j < 2 ? ivec2(side, 0) : ivec2(0, side)));
+    if (other.w > 0.0) sum += vote(1.0, dot(own.xyz, other.xyz), other.w - own.w, own.w);
+  }
+  return sum;
+}
+
+// Larger than for any pixel before: this one decides.
+float claim(vec4 own, ivec2 fine_pixel) {
+  if (own.w <= 0.0) return 0.0;
+  return by_vote == 1 ? score(own, fine_pixel) : 1.0 / own.w;
+}
 
 // z where the ray `to_ray` meets the plane of a point seen along `from_ray`: a flat wall stays flat
 // at every level. Bounded to half and twice z, for planes seen edge-on.
@@ -31,10 +54,10 @@ struct SurfaceSum {
   float weight;
 };
 
-void add_to_surface(inout SurfaceSum sum, vec4 nearest, vec2 nearest_ray, vec4 child,
+void add_to_surface(inout SurfaceSum sum, vec4 decider, vec2 decider_ray, vec4 child,
                     vec2 child_ray, vec2 ray) {
   const float weight =
-      bilateral_weight(position_view(nearest_ray, nearest.w), nearest.xyz,
+      bilateral_weight(position_view(decider_ray, decider.w), decider.xyz,
                        position_view(child_ray, child.w), child.xyz, kFlatness);
   sum.normal += weight * child.xyz;
   sum.z += weight * slide_along_plane(child.w, child_ray, child.xyz, ray);

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include <numbers>
+
+#include "techniques/hierarchical/equations.h"
+#include "techniques/hierarchical/hierarchical_frame.h"
+#include "techniques/hierarchical/shaders.h"
+
+namespace lueur::hierarchical {
+namespace {
+
+// upsample.glsl takes one thread for each corner between coarse pixels, the image's edges included.
+Extent corners_of(Extent coarse) {
+  return {coarse.width + 1, coarse.height + 1};
+}
+
+}  // namespace
+
+// A CPU wants much work in each thread (8 pixels took 0.90 of the time of 4), but still several
+// workgroups to share out.
+uint32_t HierarchicalFrame::gather_pixels_per_thread(Extent level) const {
+  constexpr uint32_t kRowsWorthIt = 16;
+  return frame_.runs_on_cpu() && level.height >= kRowsWorthIt ? 8 : 1;
+}
+
+// Equation (4) over the level's ring.
+Image HierarchicalFrame::gather(const Level& level, uint32_t index) {
+  const bool every_pixel = settings_.sampling == Settings::Sampling::every_pixel;
+  const uint32_t samples = samples_at_level(settings_, index);
+  const float pixels_per_sample =
+      every_pixel ? 1.0f : ring_area_px(index, settings_.radius) / static_cast<float>(samples);
+  GatherParams params{};
+  params.screen = level.screen;
+  params.extent = as_ivec2(level.extent);
+  params.inner_px = ring_inner_px(index, settings_.radius);
+  params.outer_px = settings_.radius;
+  params.area_over_pi = pixels_per_sample *
+                        std::abs(level.screen.ray_scale.x * level.screen.ray_scale.y) /
+                        std::numbers::pi_v<float>;
+  params.samples = samples;
+  params.level = index;
+  params.seed = inputs_.seed;
+  params.rotate = settings_.rotate;
+
+  const Image indirect = frame_.image("indirect", level.extent, Format::rgba16f);
+  const uint32_t pixels_per_thread = every_pixel ? 1 : gather_pixels_per_thread(level.extent);
+  Dispatch dispatch{
+      .shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
+                            : shaders::techniques_hierarchical_gather_comp,
+      .constants = {{"form_factor", static_cast<uint32_t>(settings_.form_factor)}},
+      .params = params,
+      .read = {{"geometry", level.geometry}, {"source", level.source}},
+      .write = {{"indirect", indirect}},
+      .over = {level.extent.width,
+               // Rows in groups of 3 a thread, see gather.comp.
+               every_pixel ? level.extent.height
+                           : 3 * divide_up(level.extent.height, 3 * pixels_per_thread)}};
+  if (!every_pixel) dispatch.constants.push_back({"pixels_per_thread", pixels_per_thread});
+  frame_.dispatch(at_level("gather", index), dispatch);
+  return indirect;
+}
+
+Image HierarchicalFrame::filter(const Level& level, uint32_t index, Image light) {
+  if (!settings_.filter) return light;
+  const Image filtered = frame_.image("filtered", level.extent, Format::rgba16f);
+  frame_.dispatch(at_level("filter", index),
+                  {.shader = shaders::techniques_hierarchical_filter_comp,
+                   .params = FilterParams{level.screen, as_ivec2(level.extent)},
+                   .read = {{"geometry", level.geometry}, {"light", light}},
+                   .write = {{"filtered", filtered}},
+                   .over = level.extent});
+  frame_.release(light);
+  return filtered;
+}
+
+// `own` invalid: the fine level has gathered nothing.
+Image HierarchicalFrame::combine(const Level& fine, uint32_t index, const Level& coarse, Image own,
+                                 Image light) {
+  const Image combined = frame_.image("combined", fine.extent, Format::rgba16f);
+  frame_.dispatch(
+      at_level("combine", index),
+      {.shader = shaders::techniques_hierarchical_combine_comp,
+       .constants = {{"factor", 2}},
+       .params = UpsampleParams{fine.screen, coarse.screen.ray_scale, as_ivec2(fine.extent),
+                                as_ivec2(coarse.extent), own.valid() ? 1.0f : 0.0f},
+       .read = {{"geometry", coarse.geometry},
+                {"light", light},
+                {"fine_geometry", fine.geometry},
+                {"own", own.valid() ? own : light}},
+       .write = {{"combined", combined}},
+       .over = corners_of(coarse.extent)});
+  frame_.release(light);
+  frame_.release(own);
+  return combined;
+}
+
+// From coarse to fine, adding each level to what came up from below.
+Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid) {
+  const std::vector<Level>& levels = pyramid.levels;
+  const auto only = static_cast<uint32_t>(settings_.only_level);
+  Gathered sum;
+  for (auto k = static_cast<uint32_t>(levels.size()); k-- > 0;) {
+    Image own;
+    if (only == 0 || only == k + 1) {
+      own = gather(levels[k], k);
+      ++sum.levels;
+    }
+    if (sum.light.valid()) {
+      sum.light = combine(levels[k], k, levels[k + 1], own, sum.light);
+    } else {
+      sum.light = own;
+    }
+    if (sum.light.valid()) sum.light = filter(levels[k], k, sum.light);
+  }
+  return sum;
+}
+
+Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Image b) {
+  const Image sum = frame_.image("sum", extent, Format::rgba16f);
+  frame_.dispatch(pass, {.shader = shaders::techniques_hierarchical_add_comp,
+                         .params = AddParams{as_ivec2(extent)},
+                         .read = {{"a", a}, {"b", b}},
+                         .write = {{"sum", sum}},
+                         .over = extent});
+  return sum;
+}
+
+Image HierarchicalFrame::output(const Pyramid& pyramid, const Gathered& gathered) {
+  const GBuffer& g = pyramid.g_buffer;
+  const Level& level = pyramid.finest();
+  const Image diffuse = frame_.image("diffuse", g.depth.extent, Format::rgba16f);
+  frame_.dispatch(
+      "hierarchical.output",
+      {.shader = shaders::techniques_hierarchical_output_comp,
+       .constants = {{"factor", static_cast<uint32_t>(pyramid.factor)}},
+       .params = OutputParams{pyramid.screen, pyramid.view_from_world, level.screen.ray_scale,
+                              as_ivec2(g.depth.extent), as_ivec2(level.extent),
+                              1.0f / static_cast<float>(gathered.levels)},
+       .read = {{"geometry", level.geometry},
+                {"light", gathered.light},
+                {"depth", g.depth},
+                {"normal", g.normal}},
+       .write = {{"diffuse", diffuse}},
+       .over = corners_of(level.extent)});
+  return diffuse;
+}
+
+}  // namespace lueur::hierarchical

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// One frame of the technique: the steps that render() is made of. Each records passes and gives
+// images, which the caller releases;
+// what a step is given stays the caller's.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "frame/recorder.h"
+#include "lueur/hierarchical.h"
+#include "techniques/hierarchical/params.h"
+
+namespace lueur::hierarchical {
+
+using Settings = HierarchicalSettings;
+
+// One level of a pyramid.
+struct Level {
+  Extent extent;
+  Screen screen;   // ray_scale is a level pixel's
+  Image geometry;  // see pyramid.glsl
+  Image source;    // radiance, foreshortening; see pyramid.glsl
+};
+
+// A view's surfaces at all levels, the finest first.
+struct Pyramid {
+  GBuffer g_buffer;
+  Screen screen;  // of the G-buffer
+  mat3 view_from_world{1.0f};
+  mat4 world_from_view{1.0f};
+  int factor = 1;  // pixels of the G-buffer a side of one pixel of level 0
+  std::vector<Level> levels;
+
+  const Level& finest() const { return levels.front(); }
+};
+
+// Light on its way through the levels.
+struct Gathered {
+  Image light;          // at level 0: E/pi, and in alpha the sum of off-screen shares
+  uint32_t levels = 0;  // that have gathered
+};
+
+// What a frame takes over from the one before, warped to this one: FDP (6), W(F).
+struct Warped {
+  Image light;  // rgb: F; a: the weight that it may have, 0 where nothing is known. Invalid: none
+};
+
+class HierarchicalFrame {
+ public:
+  HierarchicalFrame(Recorder& frame, const Settings& settings, const Inputs& inputs)
+      : frame_(frame), settings_(settings), inputs_(inputs) {}
+
+  // --- pyramid.cpp: HSSIL 3.2, "mipmapping"
+
+  // Level 0 of a view's pyramid, from the engine's images. `keeps_history`: the next frame will
+  // look at its geometry.
+  Pyramid begin_pyramid(const View& view, const GBuffer& g_buffer, bool keeps_history);
+  // The coarser levels.
+  void finish_pyramid(Pyramid& pyramid);
+  // The mean albedo of level 0's pixels.
+  Image albedo(const Pyramid& pyramid);
+  // The same pyramid with another source at level 0, and what follows from it at the others. The
+  // geometry is shared: only one of the two is to be released with release().
+  Pyramid with_source(const Pyramid& pyramid, Image source);
+  void release_sources(const Pyramid& pyramid);
+  void release(const Pyramid& pyramid);
+
+  // --- gather.cpp: HSSIL 3.2, "indirect lighting shader" and "continuous combination"
+
+  Gathered gather_all_levels(const Pyramid& pyramid);
+  // The light at the resolution of the view's G-buffer.
+  Image output(const Pyramid& pyramid, const Gathered& gathered);
+
+  // --- bounces.cpp: FDP, "multi-bounce computation"
+
+  // All of Settings::bounces.
+  Gathered gather_bounces(const Pyramid& pyramid, Image albedo);
+  // One of two bounces, the other one from the frame before.
+  Gathered gather_in_turn(const Pyramid& pyramid, Image albedo, bool second_bounce);
+  // Adds what surfaces reflect of the last frame's light to the source of level 0, before
+  // finish_pyramid().
+  void feed_back(Pyramid& pyramid, Image albedo, const Warped& warped);
+
+  // --- temporal.cpp: FDP, "temporal filtering"
+
+  bool has_history() const;
+  // W(F) of what was kept under `name`. Comes once a frame and name, before blend() or carry().
+  Warped warp(const Pyramid& pyramid, const std::string& name);
+  // FDP (6): kept for the next frame.
+  Image blend(const Pyramid& pyramid, const std::string& name, const Warped& warped, Image light);
+  // W(F) as it is: kept for the next frame.
+  Image carry(const Pyramid& pyramid, const std::string& name, const Warped& warped);
+
+ private:
+  void downsample(const Level& fine, Level& level, uint32_t index);
+  Image gather(const Level& level, uint32_t index);
+  Image filter(const Level& level, uint32_t index, Image light);
+  Image combine(const Level& fine, uint32_t index, const Level& coarse, Image own, Image light);
+  uint32_t gather_pixels_per_thread(Extent level) const;
+  uint32_t by_vote() const;
+  Image reflect(const Pyramid& pyramid, Image albedo, Image light, bool on_top);
+  Image add(const std::string& pass, Extent extent, Image a, Image b);
+  Image blend_with(const Pyramid& pyramid, const std::string& name, Image warped, Image light);
+
+  Recorder& frame_;
+  const Settings& settings_;
+  const Inputs& inputs_;
+  std::map<std::string, HistoryImage> light_history_;
+  HistoryImage geometry_history_;  // of level 0 of the camera's own pyramid
+};
+
+ivec2 as_ivec2(Extent e);
+std::string at_level(const char* pass, uint32_t level);
+
+}  // namespace lueur::hierarchical
