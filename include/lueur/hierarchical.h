@@ -22,6 +22,7 @@ namespace lueur {
 struct HierarchicalSettings {
   enum class Start : int32_t { full, half, quarter };
   enum class Pyramid : int32_t { closest, vote };
+  enum class Sources : int32_t { camera, lights };
   enum class FormFactor : int32_t { disc, point };
   enum class Sampling : int32_t { sparse, every_pixel };
 
@@ -35,6 +36,11 @@ struct HierarchicalSettings {
   Sampling sampling = Sampling::sparse;
   bool rotate = true;
   bool filter = true;
+  Sources sources = Sources::camera;
+  int32_t light_view_px = 512;
+  bool glossy = false;
+  int32_t glossy_samples = 32;
+  bool glossy_importance = true;
   float temporal = 0.9f;
   bool temporal_clamp = false;
   int32_t bounces = 1;

@@ -27,10 +27,12 @@ using glm::floor;
 using glm::fract;
 using glm::inversesqrt;
 using glm::length;
+using glm::log;
 using glm::max;
 using glm::min;
 using glm::mix;
 using glm::normalize;
+using glm::pow;
 using glm::sqrt;
 
 using glm::ivec2;

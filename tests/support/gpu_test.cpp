@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "support/gpu_test.h"
 
+#include <glm/gtc/packing.hpp>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "shading/packing.h"
@@ -50,9 +51,23 @@ GBuffer CpuGBuffer::upload(Recorder& recorder) const {
   std::vector<glm::vec4> packed_normal, packed_source;
   for (const glm::vec3& n : normal) packed_normal.emplace_back(octahedral_encode(n), 0, 0);
   for (const glm::vec3& s : source) packed_source.emplace_back(s, 1);
-  return {recorder.upload_image("depth", extent, Format::r32f, depth.data()),
-          recorder.upload_image("normal", extent, Format::rgba32f, packed_normal.data()),
-          recorder.upload_image("source", extent, Format::rgba32f, packed_source.data())};
+  GBuffer g{
+      .depth = recorder.upload_image("depth", extent, Format::r32f, depth.data()),
+      .normal = recorder.upload_image("normal", extent, Format::rgba32f, packed_normal.data()),
+      .source = recorder.upload_image("source", extent, Format::rgba32f, packed_source.data())};
+  std::vector<glm::vec4> packed_motion;
+  for (const glm::vec2& m : motion) packed_motion.emplace_back(m, 0, 0);
+  if (!motion.empty())
+    g.motion = recorder.upload_image("motion", extent, Format::rgba32f, packed_motion.data());
+  std::vector<uint64_t> packed_albedo, packed_reflectance;
+  for (const glm::vec3& a : albedo) packed_albedo.push_back(glm::packHalf4x16(glm::vec4(a, 1)));
+  for (const glm::vec4& r : reflectance) packed_reflectance.push_back(glm::packHalf4x16(r));
+  if (!albedo.empty())
+    g.albedo = recorder.upload_image("albedo", extent, Format::rgba16f, packed_albedo.data());
+  if (!reflectance.empty())
+    g.reflectance =
+        recorder.upload_image("reflectance", extent, Format::rgba16f, packed_reflectance.data());
+  return g;
 }
 
 CpuGBuffer cast_g_buffer(const CpuScene& scene, Extent extent, double vertical_fov_rad,

@@ -41,8 +41,13 @@ struct CpuGBuffer {
   std::vector<glm::vec3> normal;  // world
   std::vector<glm::vec3> source;  // radiance
   std::vector<glm::dvec3> position_view;
+  // Where empty, the G-buffer goes without that image.
+  std::vector<glm::vec2> motion;
+  std::vector<glm::vec3> albedo;
+  std::vector<glm::vec4> reflectance;
 
-  // Uploads it in float formats, so that nothing is lost on the way in.
+  // Uploads it in float formats, so that nothing is lost on the way in, but for the last two, which
+  // have to be half floats.
   GBuffer upload(Recorder& recorder) const;
 };
 

@@ -4,29 +4,45 @@
 
 namespace lueur::hierarchical {
 
+// From what the camera sees, or from what the lights see. The camera then gives only what glows.
+Gathered HierarchicalFrame::gather_first_bounce(const Pyramid& pyramid) {
+  if (settings_.sources == Settings::Sources::camera) return gather_all_levels(pyramid);
+  Gathered sum = gather_from_lights(pyramid);
+  const Level& finest = pyramid.finest();
+  sum.light = filter(finest, 0, "", sum.light);
+  if (pyramid.is_dark || frame_.failed()) return sum;
+  const Gathered glow = gather_all_levels(pyramid);
+  const Image both = add("hierarchical.glow", finest.extent, sum.light, glow.light);
+  frame_.release(sum.light);
+  frame_.release(glow.light);
+  return {.light = both, .levels = sum.levels};
+}
+
 // The light of one bounce more is what surfaces reflect of the bounce before.
 Gathered HierarchicalFrame::gather_bounces(const Pyramid& pyramid, Image albedo) {
   const Extent extent = pyramid.finest().extent;
-  Gathered sum = gather_all_levels(pyramid);
+  Gathered sum = gather_first_bounce(pyramid);
   Image latest = sum.light;
   for (int32_t bounce = 2; bounce <= settings_.bounces && !frame_.failed(); ++bounce) {
     const Pyramid reflected = with_source(pyramid, reflect(pyramid, albedo, latest, false));
-    if (latest.index != sum.light.index) frame_.release(latest);
-    latest = gather_all_levels(reflected).light;
+    const Image next = gather_all_levels(reflected).light;
     release_sources(reflected);
-    const Image both = add("hierarchical.bounces", extent, sum.light, latest);
-    frame_.release(sum.light);
-    sum.light = both;
+    if (bounce > 2) frame_.release(latest);
+    if (bounce > 2) frame_.release(sum.but_last);
+    latest = next;
+    sum.but_last = sum.light;
+    sum.light = add("hierarchical.bounces", extent, sum.but_last, latest);
   }
-  if (latest.index != sum.light.index) frame_.release(latest);
+  if (sum.but_last.valid()) frame_.release(latest);
   return sum;
 }
 
 void HierarchicalFrame::feed_back(Pyramid& pyramid, Image albedo, const Warped& warped) {
   if (!warped.light.valid()) return;
-  const Image source = reflect(pyramid, albedo, warped.light, true);
+  const Image source = reflect(pyramid, albedo, warped.light, !pyramid.is_dark);
   frame_.release(pyramid.levels[0].source);
   pyramid.levels[0].source = source;
+  pyramid.is_dark = false;
 }
 
 Gathered HierarchicalFrame::gather_in_turn(const Pyramid& pyramid, Image albedo,
@@ -43,7 +59,7 @@ Gathered HierarchicalFrame::gather_in_turn(const Pyramid& pyramid, Image albedo,
     first = carry(pyramid, "first bounce", first_before);
     second = blend(pyramid, "second bounce", second_before, sum.light);
   } else {
-    sum = gather_all_levels(pyramid);
+    sum = gather_first_bounce(pyramid);
     first = blend(pyramid, "first bounce", first_before, sum.light);
     second = carry(pyramid, "second bounce", second_before);
   }

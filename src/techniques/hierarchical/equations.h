@@ -34,11 +34,15 @@ LUEUR_SHARED float sample_radius_px(float inner_px, float step_px2, float i_plus
 
 // Pixels differ in where their spiral starts, with a period of 3 x 3: nine pixels together hold
 // nine interleaved spirals (a rank-1 lattice in shift and turn), and the 3 x 3 filter that follows
-// averages just these nine. x: shift in [0, 1), y: turn in [0, 1).
+// averages just these nine. From seed to seed, shift and turn follow Roberts' R2 sequence, so that
+// the frames of an animation fill the gaps of each other. x: shift in [0, 1), y: turn in [0, 1).
 LUEUR_SHARED vec2 spiral_start(uvec2 pixel, uint level, uint seed, bool rotate) {
   const float cell = rotate ? float((pixel.x % 3u) + 3u * (pixel.y % 3u)) : 4.0f;
-  const float offset = float(level) * 0.7548776662f + float(seed % 65536u) * 0.6180339887f;
-  return fract(vec2((cell + 0.5f) / 9.0f + offset, (cell * 4.0f + 0.5f) / 9.0f + offset * 0.3247f));
+  const float of_level = float(level) * 0.7548776662f;
+  const vec2 of_seed = float(seed % 4096u) * vec2(0.7548776662f, 0.5698402910f);
+  return fract(
+      vec2((cell + 0.5f) / 9.0f + of_level, (cell * 4.0f + 0.5f) / 9.0f + of_level * 0.3247f) +
+      of_seed);
 }
 
 // FDP 4, "temporal filtering": the largest share of the last frame, less where the picture moves
@@ -47,6 +51,79 @@ LUEUR_SHARED vec2 spiral_start(uvec2 pixel, uint level, uint seed, bool rotate) 
 // wide.
 LUEUR_SHARED float history_weight(float most, float moved_px, float exponent) {
   return most * exp(-moved_px * sqrt(exponent) / 200.0f);
+}
+
+// FDP 4, "screen-space importance sampling": around a receiver's pixel, samples are drawn by
+// azimuth from
+//   f(theta) = alpha + exp(-s (theta_r - theta)^2 / (2 pi)),   alpha = 0.1,
+// theta_r being where the lobe's peak leads on the screen and s the lobe's exponent. The difference
+// of angles is within -pi .. pi.
+const float kGlossyFloor = 0.1f;
+const float kTurn = 6.28318530717959f;
+
+// Inverse of the error function for |x| < 1: M. Giles, "Approximating the erfinv function", 2010,
+// to 5 digits.
+LUEUR_SHARED float inverse_erf(float x) {
+  float w = -log((1.0f - x) * (1.0f + x));
+  if (w < 5.0f) {
+    w -= 2.5f;
+    float p = 2.81022636e-08f;
+    p = 3.43273939e-07f + p * w;
+    p = -3.5233877e-06f + p * w;
+    p = -4.39150654e-06f + p * w;
+    p = 0.00021858087f + p * w;
+    p = -0.00125372503f + p * w;
+    p = -0.00417768164f + p * w;
+    p = 0.246640727f + p * w;
+    p = 1.50140941f + p * w;
+    return p * x;
+  }
+  w = sqrt(w) - 3.0f;
+  float p = -0.000200214257f;
+  p = 0.000100950558f + p * w;
+  p = 0.00134934322f + p * w;
+  p = -0.00367342844f + p * w;
+  p = 0.00573950773f + p * w;
+  p = -0.0076224613f + p * w;
+  p = 0.00943887047f + p * w;
+  p = 1.00167406f + p * w;
+  p = 2.83297682f + p * w;
+  return p * x;
+}
+
+// What a receiver's samples need to know of f. With the Gaussian's sigma^2 = pi / s, its integral
+// over -pi .. pi is sqrt(2 pi) sigma erf(pi / (sigma sqrt(2))) = pi sqrt(2 / s) erf(sqrt(pi s /
+// 2)).
+struct GlossyAzimuth {
+  float exponent;       // s, at least 1
+  float gauss_end;      // erf(sqrt(pi s / 2))
+  float uniform_share;  // of the integral of f
+  float total;          // the integral of f
+};
+
+LUEUR_SHARED GlossyAzimuth glossy_azimuth(float exponent) {
+  GlossyAzimuth f;
+  f.exponent = max(exponent, 1.0f);
+  // erf(x) to 5e-4: Abramowitz and Stegun, 7.1.27.
+  const float x = sqrt(0.25f * kTurn * f.exponent);
+  const float t = 1.0f + x * (0.278393f + x * (0.230389f + x * (0.000972f + x * 0.078108f)));
+  f.gauss_end = 1.0f - 1.0f / (t * t * t * t);
+  const float gauss = 0.5f * kTurn * sqrt(2.0f / f.exponent) * f.gauss_end;
+  f.total = kTurn * kGlossyFloor + gauss;
+  f.uniform_share = kTurn * kGlossyFloor / f.total;
+  return f;
+}
+
+// theta - theta_r for a u in [0, 1).
+LUEUR_SHARED float glossy_sample(GlossyAzimuth f, float u) {
+  if (u < f.uniform_share) return kTurn * (u / f.uniform_share - 0.5f);
+  const float v = (u - f.uniform_share) / (1.0f - f.uniform_share);
+  return inverse_erf((2.0f * v - 1.0f) * f.gauss_end * 0.99999f) * sqrt(kTurn / f.exponent);
+}
+
+// Density of theta, 1 / rad: its integral over -pi .. pi is 1.
+LUEUR_SHARED float glossy_density(GlossyAzimuth f, float difference_rad) {
+  return (kGlossyFloor + exp(-f.exponent * difference_rad * difference_rad / kTurn)) / f.total;
 }
 
 // FDP (5): what neighbour j adds to the score of pixel i. The widths of the three Gaussians are not

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <numbers>
 
 #include "techniques/hierarchical/equations.h"
@@ -6,14 +7,10 @@
 #include "techniques/hierarchical/shaders.h"
 
 namespace lueur::hierarchical {
-namespace {
 
-// upsample.glsl takes one thread for each corner between coarse pixels, the image's edges included.
 Extent corners_of(Extent coarse) {
   return {coarse.width + 1, coarse.height + 1};
 }
-
-}  // namespace
 
 // A CPU wants much work in each thread (8 pixels took 0.90 of the time of 4), but still several
 // workgroups to share out.
@@ -22,15 +19,15 @@ uint32_t HierarchicalFrame::gather_pixels_per_thread(Extent level) const {
   return frame_.runs_on_cpu() && level.height >= kRowsWorthIt ? 8 : 1;
 }
 
-// Equation (4) over the level's ring.
-Image HierarchicalFrame::gather(const Level& level, uint32_t index) {
-  const bool every_pixel = settings_.sampling == Settings::Sampling::every_pixel;
-  const uint32_t samples = samples_at_level(settings_, index);
+// Of `samples` on the level's ring; 0: every pixel.
+GatherParams HierarchicalFrame::gather_params(const Level& level, uint32_t index,
+                                              uint32_t samples) const {
   const float pixels_per_sample =
-      every_pixel ? 1.0f : ring_area_px(index, settings_.radius) / static_cast<float>(samples);
+      samples == 0 ? 1.0f : ring_area_px(index, settings_.radius) / static_cast<float>(samples);
   GatherParams params{};
   params.screen = level.screen;
   params.extent = as_ivec2(level.extent);
+  params.source_extent = as_ivec2(level.extent);
   params.inner_px = ring_inner_px(index, settings_.radius);
   params.outer_px = settings_.radius;
   params.area_over_pi = pixels_per_sample *
@@ -40,7 +37,14 @@ Image HierarchicalFrame::gather(const Level& level, uint32_t index) {
   params.level = index;
   params.seed = inputs_.seed;
   params.rotate = settings_.rotate;
+  return params;
+}
 
+// Equation (4) over the level's ring.
+Image HierarchicalFrame::gather(const Level& level, uint32_t index) {
+  const bool every_pixel = settings_.sampling == Settings::Sampling::every_pixel;
+  const GatherParams params =
+      gather_params(level, index, every_pixel ? 0 : samples_at_level(settings_, index));
   const Image indirect = frame_.image("indirect", level.extent, Format::rgba16f);
   const uint32_t pixels_per_thread = every_pixel ? 1 : gather_pixels_per_thread(level.extent);
   Dispatch dispatch{
@@ -59,10 +63,11 @@ Image HierarchicalFrame::gather(const Level& level, uint32_t index) {
   return indirect;
 }
 
-Image HierarchicalFrame::filter(const Level& level, uint32_t index, Image light) {
+Image HierarchicalFrame::filter(const Level& level, uint32_t index, const std::string& kind,
+                                Image light) {
   if (!settings_.filter) return light;
   const Image filtered = frame_.image("filtered", level.extent, Format::rgba16f);
-  frame_.dispatch(at_level("filter", index),
+  frame_.dispatch(at_level(kind + "filter", index),
                   {.shader = shaders::techniques_hierarchical_filter_comp,
                    .params = FilterParams{level.screen, as_ivec2(level.extent)},
                    .read = {{"geometry", level.geometry}, {"light", light}},
@@ -73,11 +78,11 @@ Image HierarchicalFrame::filter(const Level& level, uint32_t index, Image light)
 }
 
 // `own` invalid: the fine level has gathered nothing.
-Image HierarchicalFrame::combine(const Level& fine, uint32_t index, const Level& coarse, Image own,
-                                 Image light) {
+Image HierarchicalFrame::combine(const Level& fine, uint32_t index, const Level& coarse,
+                                 const std::string& kind, Image own, Image light) {
   const Image combined = frame_.image("combined", fine.extent, Format::rgba16f);
   frame_.dispatch(
-      at_level("combine", index),
+      at_level(kind + "combine", index),
       {.shader = shaders::techniques_hierarchical_combine_comp,
        .constants = {{"factor", 2}},
        .params = UpsampleParams{fine.screen, coarse.screen.ray_scale, as_ivec2(fine.extent),
@@ -94,24 +99,31 @@ Image HierarchicalFrame::combine(const Level& fine, uint32_t index, const Level&
 }
 
 // From coarse to fine, adding each level to what came up from below.
-Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid) {
+Gathered HierarchicalFrame::gather_levels(
+    const Pyramid& pyramid, const std::string& kind,
+    const std::function<Image(const Level&, uint32_t)>& gather_level) {
   const std::vector<Level>& levels = pyramid.levels;
   const auto only = static_cast<uint32_t>(settings_.only_level);
   Gathered sum;
   for (auto k = static_cast<uint32_t>(levels.size()); k-- > 0;) {
     Image own;
     if (only == 0 || only == k + 1) {
-      own = gather(levels[k], k);
+      own = gather_level(levels[k], k);
       ++sum.levels;
     }
     if (sum.light.valid()) {
-      sum.light = combine(levels[k], k, levels[k + 1], own, sum.light);
+      sum.light = combine(levels[k], k, levels[k + 1], kind, own, sum.light);
     } else {
       sum.light = own;
     }
-    if (sum.light.valid()) sum.light = filter(levels[k], k, sum.light);
+    if (sum.light.valid()) sum.light = filter(levels[k], k, kind, sum.light);
   }
   return sum;
+}
+
+Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid) {
+  return gather_levels(pyramid, "",
+                       [&](const Level& level, uint32_t k) { return gather(level, k); });
 }
 
 Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Image b) {
@@ -124,23 +136,27 @@ Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Im
   return sum;
 }
 
+OutputParams HierarchicalFrame::output_params(const Pyramid& pyramid,
+                                              const Gathered& gathered) const {
+  const Level& level = pyramid.finest();
+  return {pyramid.screen,         mat3(pyramid.view_from_world),
+          level.screen.ray_scale, as_ivec2(pyramid.g_buffer.depth.extent),
+          as_ivec2(level.extent), 1.0f / static_cast<float>(std::max(gathered.levels, 1u))};
+}
+
 Image HierarchicalFrame::output(const Pyramid& pyramid, const Gathered& gathered) {
   const GBuffer& g = pyramid.g_buffer;
-  const Level& level = pyramid.finest();
   const Image diffuse = frame_.image("diffuse", g.depth.extent, Format::rgba16f);
-  frame_.dispatch(
-      "hierarchical.output",
-      {.shader = shaders::techniques_hierarchical_output_comp,
-       .constants = {{"factor", static_cast<uint32_t>(pyramid.factor)}},
-       .params = OutputParams{pyramid.screen, pyramid.view_from_world, level.screen.ray_scale,
-                              as_ivec2(g.depth.extent), as_ivec2(level.extent),
-                              1.0f / static_cast<float>(gathered.levels)},
-       .read = {{"geometry", level.geometry},
-                {"light", gathered.light},
-                {"depth", g.depth},
-                {"normal", g.normal}},
-       .write = {{"diffuse", diffuse}},
-       .over = corners_of(level.extent)});
+  frame_.dispatch("hierarchical.output",
+                  {.shader = shaders::techniques_hierarchical_output_comp,
+                   .constants = {{"factor", static_cast<uint32_t>(pyramid.factor)}},
+                   .params = output_params(pyramid, gathered),
+                   .read = {{"geometry", pyramid.finest().geometry},
+                            {"light", gathered.light},
+                            {"depth", g.depth},
+                            {"normal", g.normal}},
+                   .write = {{"diffuse", diffuse}},
+                   .over = corners_of(pyramid.finest().extent)});
   return diffuse;
 }
 

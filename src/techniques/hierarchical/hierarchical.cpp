@@ -16,6 +16,7 @@ using hierarchical::Warped;
 using Settings = HierarchicalSettings;
 
 constexpr std::string_view kStartNames[] = {"full", "half", "quarter"};
+constexpr std::string_view kSourcesNames[] = {"camera", "lights"};
 constexpr std::string_view kPyramidNames[] = {"closest", "vote"};
 constexpr std::string_view kFormFactorNames[] = {"disc", "point"};
 constexpr std::string_view kSamplingNames[] = {"sparse", "every_pixel"};
@@ -46,6 +47,17 @@ constexpr std::array kSettings = {
     toggle<&Settings::rotate>(
         "rotate", "Give neighbouring pixels different samples, which `filter` averages."),
     toggle<&Settings::filter>("filter", "Filter each level 3 x 3 along its surfaces."),
+    choice<&Settings::sources>("sources", kSourcesNames,
+                               "What gives the first bounce: camera: what it sees; lights: what "
+                               "each of them shines on, which needs the engine's other views."),
+    setting<&Settings::light_view_px>("light_view_px", 16, 4096, "px",
+                                      "Side of a light's view, with `sources=lights`."),
+    toggle<&Settings::glossy>("glossy",
+                              "Also give the light that glossy lobes reflect; needs reflectance."),
+    setting<&Settings::glossy_samples>("glossy_samples", 1, 256, "samples",
+                                       "Samples a pixel takes for it at each level."),
+    toggle<&Settings::glossy_importance>("glossy_importance",
+                                         "Draw them around where the lobe leads on the screen."),
     setting<&Settings::temporal>(
         "temporal", 0, 0.98, "",
         "Largest share of the last frame in this one; needs motion. 0: none."),
@@ -78,6 +90,10 @@ Result<void> check_inputs(const Settings& settings, const Inputs& inputs) {
     return refuse("bounces above 1 and feedback=true need the G-buffer's albedo");
   if ((settings.interleave || settings.feedback) && !g.motion.valid())
     return refuse("interleave=true and feedback=true need the G-buffer's motion");
+  if (settings.glossy && !g.reflectance.valid())
+    return refuse("glossy=true needs the G-buffer's reflectance");
+  if (settings.sources == Settings::Sources::lights && !inputs.host)
+    return refuse("sources=lights needs an engine that renders other views (Inputs::host)");
   return {};
 }
 
@@ -101,21 +117,27 @@ Outputs Hierarchical::render(Frame& public_frame, const Inputs& inputs) {
   if (auto given = check_inputs(settings_, inputs); !given.ok()) frame.fail(given.error());
   if (frame.failed()) return {};
 
-  HierarchicalFrame steps(frame, settings_, inputs);
+  HierarchicalFrame steps(public_frame, settings_, inputs);
   const bool remembers = steps.has_history();
-  Pyramid pyramid = steps.begin_pyramid(inputs.view, inputs.g_buffer, remembers);
+  const auto levels = static_cast<uint32_t>(settings_.levels);
+  const bool by_lights = settings_.sources == Settings::Sources::lights;
+  Pyramid pyramid = steps.begin_pyramid(
+      inputs.view, inputs.g_buffer,
+      {.factor = 1 << static_cast<int>(settings_.start),
+       .keeps_history = remembers,
+       .source = by_lights ? inputs.g_buffer.emission : inputs.g_buffer.source});
   Image albedo;
   if (settings_.bounces > 1 || settings_.feedback) albedo = steps.albedo(pyramid);
 
   Gathered gathered;
   if (settings_.interleave) {
-    steps.finish_pyramid(pyramid);
+    steps.finish_pyramid(pyramid, levels);
     gathered = steps.gather_in_turn(pyramid, albedo, frames_++ % 2 == 1);
   } else {
     Warped before;
     if (remembers) before = steps.warp(pyramid, "light");
     if (settings_.feedback) steps.feed_back(pyramid, albedo, before);
-    steps.finish_pyramid(pyramid);
+    steps.finish_pyramid(pyramid, levels);
     gathered = steps.gather_bounces(pyramid, albedo);
     if (remembers) {
       const Image now = steps.blend(pyramid, "light", before, gathered.light);
@@ -125,8 +147,10 @@ Outputs Hierarchical::render(Frame& public_frame, const Inputs& inputs) {
     }
   }
   if (frame.failed()) return {};
-  const Outputs outputs{.diffuse = steps.output(pyramid, gathered)};
+  Outputs outputs{.diffuse = steps.output(pyramid, gathered)};
+  if (settings_.glossy) outputs.specular = steps.glossy(pyramid, albedo, gathered);
   frame.release(gathered.light);
+  frame.release(gathered.but_last);
   frame.release(albedo);
   steps.release(pyramid);
   return outputs;

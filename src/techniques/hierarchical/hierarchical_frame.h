@@ -4,6 +4,7 @@
 // what a step is given stays the caller's.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,9 +29,10 @@ struct Level {
 struct Pyramid {
   GBuffer g_buffer;
   Screen screen;  // of the G-buffer
-  mat3 view_from_world{1.0f};
+  mat4 view_from_world{1.0f};
   mat4 world_from_view{1.0f};
-  int factor = 1;  // pixels of the G-buffer a side of one pixel of level 0
+  int factor = 1;        // pixels of the G-buffer a side of one pixel of level 0
+  bool is_dark = false;  // nothing in it is a source
   std::vector<Level> levels;
 
   const Level& finest() const { return levels.front(); }
@@ -40,6 +42,7 @@ struct Pyramid {
 struct Gathered {
   Image light;          // at level 0: E/pi, and in alpha the sum of off-screen shares
   uint32_t levels = 0;  // that have gathered
+  Image but_last{};     // the same without the last bounce; invalid: there was only one
 };
 
 // What a frame takes over from the one before, warped to this one: FDP (6), W(F).
@@ -49,16 +52,20 @@ struct Warped {
 
 class HierarchicalFrame {
  public:
-  HierarchicalFrame(Recorder& frame, const Settings& settings, const Inputs& inputs)
-      : frame_(frame), settings_(settings), inputs_(inputs) {}
+  HierarchicalFrame(Frame& frame, const Settings& settings, const Inputs& inputs)
+      : public_frame_(frame), frame_(frame.recorder()), settings_(settings), inputs_(inputs) {}
 
   // --- pyramid.cpp: HSSIL 3.2, "mipmapping"
 
-  // Level 0 of a view's pyramid, from the engine's images. `keeps_history`: the next frame will
-  // look at its geometry.
-  Pyramid begin_pyramid(const View& view, const GBuffer& g_buffer, bool keeps_history);
-  // The coarser levels.
-  void finish_pyramid(Pyramid& pyramid);
+  // Level 0 of a view's pyramid, from the engine's images.
+  struct Beginning {
+    int factor = 1;              // pixels of the G-buffer a side of one of level 0
+    bool keeps_history = false;  // the next frame will look at its geometry
+    Image source{};              // what shines; invalid: nothing does
+  };
+  Pyramid begin_pyramid(const View& view, const GBuffer& g_buffer, const Beginning& how);
+  // The coarser levels, until there are so many.
+  void finish_pyramid(Pyramid& pyramid, uint32_t levels);
   // The mean albedo of level 0's pixels.
   Image albedo(const Pyramid& pyramid);
   // The same pyramid with another source at level 0, and what follows from it at the others. The
@@ -73,37 +80,70 @@ class HierarchicalFrame {
   // The light at the resolution of the view's G-buffer.
   Image output(const Pyramid& pyramid, const Gathered& gathered);
 
+  // --- views.cpp: sources that other views see
+
+  // The first bounce of all lights, at level 0, unfiltered.
+  Gathered gather_from_lights(const Pyramid& receivers);
+
   // --- bounces.cpp: FDP, "multi-bounce computation"
 
   // All of Settings::bounces.
   Gathered gather_bounces(const Pyramid& pyramid, Image albedo);
+
   // One of two bounces, the other one from the frame before.
   Gathered gather_in_turn(const Pyramid& pyramid, Image albedo, bool second_bounce);
   // Adds what surfaces reflect of the last frame's light to the source of level 0, before
   // finish_pyramid().
   void feed_back(Pyramid& pyramid, Image albedo, const Warped& warped);
 
+  // --- glossy.cpp: FDP, "screen-space importance sampling"
+
+  // What the surfaces reflect through their glossy lobes, at the resolution of the view's G-buffer.
+  // `diffuse` tells what they receive.
+  Image glossy(const Pyramid& pyramid, Image albedo, const Gathered& diffuse);
+
   // --- temporal.cpp: FDP, "temporal filtering"
+
+  // Which lobe each pixel of level 0 has, and the lobes that there are.
+  struct Lobes {
+    Image codes;
+    BufferRef table;
+  };
 
   bool has_history() const;
   // W(F) of what was kept under `name`. Comes once a frame and name, before blend() or carry().
-  Warped warp(const Pyramid& pyramid, const std::string& name);
+  // `lobes`: of what comes through them; nullptr: of diffuse light.
+  Warped warp(const Pyramid& pyramid, const std::string& name, const Lobes* lobes = nullptr);
   // FDP (6): kept for the next frame.
   Image blend(const Pyramid& pyramid, const std::string& name, const Warped& warped, Image light);
   // W(F) as it is: kept for the next frame.
   Image carry(const Pyramid& pyramid, const std::string& name, const Warped& warped);
 
  private:
-  void downsample(const Level& fine, Level& level, uint32_t index);
+  Lobes lobes_of(const Pyramid& pyramid);
+  Pyramid pyramid_of_glossy_sources(const Pyramid& pyramid, Image albedo, Image light);
+  Gathered gather_glossy(const Pyramid& pyramid, const Lobes& lobes);
+  Image output_glossy(const Pyramid& pyramid, const Gathered& gathered);
+  Pyramid pyramid_of_view(const View& view, Extent extent, int32_t light);
+  void gather_from(const Pyramid& givers, const Pyramid& receivers, const std::string& pass,
+                   Image indirect, bool is_first);
+  GatherParams gather_params(const Level& level, uint32_t index, uint32_t samples) const;
+  Gathered gather_first_bounce(const Pyramid& pyramid);
   Image gather(const Level& level, uint32_t index);
-  Image filter(const Level& level, uint32_t index, Image light);
-  Image combine(const Level& fine, uint32_t index, const Level& coarse, Image own, Image light);
+  Gathered gather_levels(const Pyramid& pyramid, const std::string& kind,
+                         const std::function<Image(const Level&, uint32_t)>& gather_level);
+  // These two release the light that they are given.
+  Image filter(const Level& level, uint32_t index, const std::string& kind, Image light);
+  Image combine(const Level& fine, uint32_t index, const Level& coarse, const std::string& kind,
+                Image own, Image light);
   uint32_t gather_pixels_per_thread(Extent level) const;
+  OutputParams output_params(const Pyramid& pyramid, const Gathered& gathered) const;
   uint32_t by_vote() const;
   Image reflect(const Pyramid& pyramid, Image albedo, Image light, bool on_top);
   Image add(const std::string& pass, Extent extent, Image a, Image b);
   Image blend_with(const Pyramid& pyramid, const std::string& name, Image warped, Image light);
 
+  Frame& public_frame_;
   Recorder& frame_;
   const Settings& settings_;
   const Inputs& inputs_;
@@ -112,6 +152,8 @@ class HierarchicalFrame {
 };
 
 ivec2 as_ivec2(Extent e);
-std::string at_level(const char* pass, uint32_t level);
+// upsample.glsl takes one thread for each corner between coarse pixels, the image's edges included.
+Extent corners_of(Extent coarse);
+std::string at_level(const std::string& pass, uint32_t level);
 
 }  // namespace lueur::hierarchical

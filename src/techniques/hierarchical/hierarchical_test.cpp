@@ -1,82 +1,14 @@
 // SPDX-License-Identifier: MIT
 // The technique on the device, on G-buffers with a known answer.
-#include "lueur/hierarchical.h"
-
 #include <cmath>
 #include <numbers>
 
-#include "support/gpu_test.h"
+#include "techniques/hierarchical/hierarchical_fixture.h"
 
 namespace lueur {
 namespace {
 
-using Settings = HierarchicalSettings;
 constexpr double kPi = std::numbers::pi;
-
-class HierarchicalTest : public GpuTest {
- protected:
-  // E/pi of every pixel.
-  std::vector<glm::dvec3> diffuse(const CpuGBuffer& g, const Settings& settings,
-                                  uint32_t seed = 0) {
-    run([&](Frame& frame) {
-      Hierarchical technique(settings);
-      const Outputs out = technique.render(
-          frame, {.view = g.view, .g_buffer = g.upload(frame.recorder()), .seed = seed});
-      frame.recorder().read_back("diffuse", out.diffuse);
-    });
-    const Pixels p = pixels("diffuse");
-    std::vector<glm::dvec3> light;
-    for (size_t i = 0; i + 3 < p.samples.size(); i += 4)
-      light.emplace_back(p.samples[i], p.samples[i + 1], p.samples[i + 2]);
-    return light;
-  }
-};
-
-// Every pixel of one full-resolution level, unfiltered: nothing but equation (4) is left.
-Settings exhaustive() {
-  Settings s;
-  s.start = Settings::Start::full;
-  s.levels = 1;
-  s.radius = 4096;
-  s.sampling = Settings::Sampling::every_pixel;
-  s.filter = false;
-  return s;
-}
-
-// A room's corner with a sphere in it: floor, back wall and side wall, each with its radiance.
-std::optional<CpuHit> corner_room(const glm::dvec3& o, const glm::dvec3& d) {
-  std::optional<CpuHit> best;
-  double nearest = 1e30;
-  const auto plane = [&](glm::dvec3 n, double at, glm::dvec3 radiance) {
-    const double facing = glm::dot(n, d);
-    if (facing >= 0) return;
-    const double t = (at - glm::dot(n, o)) / facing;
-    if (t <= 1e-9 || t >= nearest) return;
-    nearest = t;
-    best = CpuHit{o + t * d, n, radiance};
-  };
-  plane({0, 1, 0}, -1.0, {0.2, 0.2, 0.2});
-  plane({0, 0, 1}, -5.0, {1.0, 0.6, 0.3});
-  plane({1, 0, 0}, -2.0, {0.1, 0.8, 0.2});
-  const glm::dvec3 centre(0.4, -0.4, -3.4);
-  const double radius = 0.6, b = glm::dot(d, o - centre), a = glm::dot(d, d);
-  const double root = b * b - a * (glm::dot(o - centre, o - centre) - radius * radius);
-  if (root > 0) {
-    const double t = (-b - std::sqrt(root)) / a;
-    if (t > 1e-9 && t < nearest) {
-      const glm::dvec3 p = o + t * d;
-      best = CpuHit{p, (p - centre) / radius, {0.5, 0.1, 2.0}};
-    }
-  }
-  return best;
-}
-
-// The inside of a sphere, white and black by turns: nothing touches, so that what differs is
-// sampling alone.
-std::optional<CpuHit> striped_sphere(const glm::dvec3&, const glm::dvec3& d) {
-  const glm::dvec3 n = glm::normalize(d);
-  return CpuHit{2.0 * n, -n, glm::dvec3(std::sin(12 * n.x) * std::sin(12 * n.y) > 0 ? 1.0 : 0.0)};
-}
 
 // HSSIL (4) with (2) summed over all pixels in double precision. Written from the paper, apart from
 // the shaders: angles by their cosines, lengths by square roots, solid angle by the frustum.
@@ -110,15 +42,6 @@ std::vector<glm::dvec3> brute_force(const CpuGBuffer& g, double vertical_fov_rad
     }
   }
   return result;
-}
-
-double relative_rmse(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& truth) {
-  double error = 0, power = 0;
-  for (size_t i = 0; i < truth.size(); ++i) {
-    error += glm::dot(a[i] - truth[i], a[i] - truth[i]);
-    power += glm::dot(truth[i], truth[i]);
-  }
-  return std::sqrt(error / power);
 }
 
 TEST_F(HierarchicalTest, EveryPixelAsASampleEqualsTheBruteForceSum) {

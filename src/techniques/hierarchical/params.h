@@ -31,8 +31,9 @@ struct DownsampleParams {
 };
 
 struct GatherParams {
-  Screen screen;
-  ivec2 extent;
+  Screen screen;  // of the level that gives
+  ivec2 extent;   // of the level that receives
+  ivec2 source_extent;
   float inner_px;
   float outer_px;
   // Solid area that a sample stands for at z = 1, over pi:
@@ -42,6 +43,26 @@ struct GatherParams {
   uint level;
   uint seed;
   uint rotate;  // 0 or 1
+};
+
+struct GatherViewParams {
+  GatherParams gather;
+  Screen receiver_screen;
+  mat4 source_from_receiver;  // view spaces
+  uint is_first;              // 1: nothing was gathered before
+};
+
+// CosineLobe of lueur/g_buffer.h.
+struct CosineLobeData {
+  float exponent;
+  float c_xy;
+  float c_z;
+};
+
+struct LobeParams {
+  Screen screen;  // of the full image
+  ivec2 full_extent;
+  ivec2 extent;  // of level 0
 };
 
 struct AlbedoParams {

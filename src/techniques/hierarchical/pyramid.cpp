@@ -11,25 +11,26 @@ ivec2 as_ivec2(Extent e) {
   return ivec2(e.width, e.height);
 }
 
-std::string at_level(const char* pass, uint32_t level) {
-  return std::string("hierarchical.") + pass + "@" + std::to_string(level);
+std::string at_level(const std::string& pass, uint32_t level) {
+  return "hierarchical." + pass + "@" + std::to_string(level);
 }
 
-Pyramid HierarchicalFrame::begin_pyramid(const View& view, const GBuffer& g, bool keeps_history) {
+Pyramid HierarchicalFrame::begin_pyramid(const View& view, const GBuffer& g, const Beginning& how) {
   const glm::mat4 view_from_world = glm::make_mat4(view.view_from_world.data());
   Pyramid pyramid;
   pyramid.g_buffer = g;
   pyramid.screen = screen_of_view(view, g.depth.extent);
-  pyramid.view_from_world = mat3(view_from_world);
+  pyramid.view_from_world = view_from_world;
   pyramid.world_from_view = glm::inverse(view_from_world);
-  pyramid.factor = 1 << static_cast<int>(settings_.start);
+  pyramid.factor = how.factor;
+  pyramid.is_dark = !how.source.valid();
 
-  const auto step = static_cast<uint32_t>(pyramid.factor);
+  const auto step = static_cast<uint32_t>(how.factor);
   Level level;
   level.extent = {divide_up(g.depth.extent.width, step), divide_up(g.depth.extent.height, step)};
   level.screen = pyramid.screen;
   level.screen.ray_scale *= static_cast<float>(step);
-  if (keeps_history) {
+  if (how.keeps_history) {
     geometry_history_ = frame_.history("hierarchical.geometry", level.extent, Format::rgba32f);
     level.geometry = geometry_history_.current;
   } else {
@@ -39,17 +40,19 @@ Pyramid HierarchicalFrame::begin_pyramid(const View& view, const GBuffer& g, boo
   frame_.dispatch(at_level("pyramid", 0),
                   {.shader = shaders::techniques_hierarchical_prepare_comp,
                    .constants = {{"factor", step}, {"by_vote", by_vote()}},
-                   .params = PrepareParams{pyramid.screen, pyramid.view_from_world,
+                   .params = PrepareParams{pyramid.screen, mat3(view_from_world),
                                            as_ivec2(g.depth.extent), as_ivec2(level.extent)},
-                   .read = {{"depth", g.depth}, {"normal", g.normal}, {"source", g.source}},
+                   .read = {{"depth", g.depth},
+                            {"normal", g.normal},
+                            {"source", pyramid.is_dark ? g.source : how.source}},
                    .write = {{"geometry_out", level.geometry}, {"source_out", level.source}},
                    .over = level.extent});
   pyramid.levels.push_back(level);
   return pyramid;
 }
 
-void HierarchicalFrame::finish_pyramid(Pyramid& pyramid) {
-  for (uint32_t k = 1; k < static_cast<uint32_t>(settings_.levels); ++k) {
+void HierarchicalFrame::finish_pyramid(Pyramid& pyramid, uint32_t levels) {
+  for (uint32_t k = 1; k < levels; ++k) {
     const Level& fine = pyramid.levels.back();
     Level level;
     level.extent = {divide_up(fine.extent.width, 2), divide_up(fine.extent.height, 2)};

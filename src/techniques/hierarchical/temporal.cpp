@@ -19,7 +19,8 @@ bool HierarchicalFrame::has_history() const {
   return wanted && inputs_.g_buffer.motion.valid();
 }
 
-Warped HierarchicalFrame::warp(const Pyramid& pyramid, const std::string& name) {
+Warped HierarchicalFrame::warp(const Pyramid& pyramid, const std::string& name,
+                               const Lobes* lobes) {
   const Level& level = pyramid.finest();
   const HistoryImage history = frame_.history(history_name(name), level.extent, Format::rgba16f);
   light_history_[name] = history;
@@ -34,17 +35,22 @@ Warped HierarchicalFrame::warp(const Pyramid& pyramid, const std::string& name) 
   params.extent = as_ivec2(level.extent);
   params.most = settings_.temporal;
   const Image warped = frame_.image("warped", level.extent, Format::rgba16f);
-  frame_.dispatch("hierarchical.warp",
-                  {.shader = shaders::techniques_hierarchical_warp_comp,
-                   .constants = {{"factor", static_cast<uint32_t>(pyramid.factor)}},
-                   .params = params,
-                   .read = {{"depth", g.depth},
-                            {"motion", g.motion},
-                            {"geometry", level.geometry},
-                            {"geometry_before", geometry_history_.previous},
-                            {"light_before", history.previous}},
-                   .write = {{"warped", warped}},
-                   .over = level.extent});
+  Dispatch dispatch{.shader = lobes ? shaders::techniques_hierarchical_warp_glossy_comp
+                                    : shaders::techniques_hierarchical_warp_comp,
+                    .constants = {{"factor", static_cast<uint32_t>(pyramid.factor)}},
+                    .params = params,
+                    .read = {{"depth", g.depth},
+                             {"motion", g.motion},
+                             {"geometry", level.geometry},
+                             {"geometry_before", geometry_history_.previous},
+                             {"light_before", history.previous}},
+                    .write = {{"warped", warped}},
+                    .over = level.extent};
+  if (lobes) {
+    dispatch.read.push_back({"lobe", lobes->codes});
+    dispatch.read.push_back({"lobes", lobes->table});
+  }
+  frame_.dispatch("hierarchical.warp", dispatch);
   return {warped};
 }
 

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// The temporal filter, FDP (6): noise goes, what moved is found again, nothing stays that should
+// not.
+#include <cmath>
+
+#include "techniques/hierarchical/hierarchical_fixture.h"
+
+namespace lueur {
+namespace {
+
+constexpr Extent kExtent{96, 72};
+constexpr double kFov = 1.2;
+
+class TemporalTest : public HierarchicalTest {
+ protected:
+  // Few samples and no filter in space: noise to get rid of.
+  static Settings noisy(float temporal) {
+    Settings s;
+    s.start = Settings::Start::full;
+    s.levels = 3;
+    s.samples = 4;
+    s.sample_growth = 1;
+    s.filter = false;
+    s.temporal = temporal;
+    return s;
+  }
+
+  static CpuGBuffer seen_from(const CpuScene& scene, const glm::dvec3& eye) {
+    CpuGBuffer g = cast_g_buffer(scene, kExtent, kFov, eye);
+    g.motion.assign(g.depth.size(), glm::vec2(0));
+    return g;
+  }
+
+  // What each pixel shows of a static scene was elsewhere when the eye was at `before`.
+  static void add_motion(CpuGBuffer& g, const glm::dvec3& eye, const glm::dvec3& before) {
+    const double tan_v = std::tan(kFov / 2), tan_h = tan_v * kExtent.width / kExtent.height;
+    for (size_t i = 0; i < g.depth.size(); ++i) {
+      const glm::dvec3 now = g.position_view[i], then = now + eye - before;
+      const auto uv = [&](const glm::dvec3& p) {
+        return glm::dvec2(0.5 + 0.5 * p.x / -p.z / tan_h, 0.5 - 0.5 * p.y / -p.z / tan_v);
+      };
+      g.motion[i] = glm::vec2(uv(now) - uv(then));
+    }
+  }
+
+  // The mean of many frames: what the noise hides.
+  Light truth_of(const CpuGBuffer& g) {
+    Hierarchical technique(noisy(0));
+    Light mean(g.depth.size(), glm::dvec3(0));
+    constexpr uint32_t kFrames = 128;
+    for (uint32_t i = 0; i < kFrames; ++i) {
+      const Light light = next_frame(technique, g, {.seed = 1000 + i}).diffuse;
+      for (size_t k = 0; k < mean.size(); ++k) mean[k] += light[k] / double{kFrames};
+    }
+    return mean;
+  }
+};
+
+TEST_F(TemporalTest, AStillCameraConverges) {
+  const CpuGBuffer g = seen_from(corner_room, {0.5, 0.2, 0.5});
+  const Light truth = truth_of(g);
+  Hierarchical technique(noisy(0.95f));
+  std::vector<Light> frames;
+  for (uint32_t i = 0; i < 60; ++i)
+    frames.push_back(
+        next_frame(technique, g, {.seed = i, .previous_view = g.view, .cut = i == 0}).diffuse);
+  const double first = relative_rmse(frames.front(), truth);
+  // A share a of unrelated frames leaves sqrt((1 - a) / (1 + a)) = 0.16 of their noise; these lie
+  // evenly and leave less.
+  EXPECT_LT(relative_rmse(frames.back(), truth), 0.16 * first);
+  // Unrelated frames, which differ by sqrt(2) of their error, then do so by (1 - a) / sqrt(1 + a) =
+  // 1/28 of that.
+  EXPECT_LT(relative_rmse(frames[59], frames[58]), std::sqrt(2.0) * first / 20);
+}
+
+// The eye moves by 2 pixels a frame. Were the motion's sign wrong, or missing, the light of edges
+// would be smeared over.
+TEST_F(TemporalTest, AMovingCameraTakesItsLightAlong) {
+  const auto eye = [](int frame) { return glm::dvec3(0.5 - 0.06 * frame, 0.2, 0.5); };
+  constexpr int kFrames = 12;
+  CpuGBuffer g;
+  Hierarchical filtered(noisy(0.9f));
+  Light light;
+  for (int i = 0; i < kFrames; ++i) {
+    const CpuGBuffer before = g;
+    g = seen_from(corner_room, eye(i));
+    if (i > 0) add_motion(g, eye(i), eye(i - 1));
+    light =
+        next_frame(filtered, g,
+                   {.seed = static_cast<uint32_t>(i), .previous_view = before.view, .cut = i == 0})
+            .diffuse;
+  }
+  const Light truth = truth_of(g);
+  const double unfiltered = relative_rmse(diffuse(g, noisy(0), 3), truth);
+  EXPECT_LT(relative_rmse(light, truth), unfiltered / 2);
+}
+
+// A near wall goes: what it hid is unknown, and gets nothing of the wall's light.
+TEST_F(TemporalTest, WhatIsUncoveredKeepsNothing) {
+  const CpuScene before = [](const glm::dvec3& o, const glm::dvec3& d) -> std::optional<CpuHit> {
+    const glm::dvec3 p = o + (-1.0 / d.z) * d;
+    if (p.x > 0) return CpuHit{p, {0, 0, 1}, glm::dvec3(100.0)};
+    return corner_room(o, d);
+  };
+  const CpuGBuffer near = seen_from(before, {0.5, 0.2, 0.5});
+  const CpuGBuffer far = seen_from(corner_room, {0.5, 0.2, 0.5});
+  Hierarchical technique(noisy(0.9f));
+  for (uint32_t i = 0; i < 8; ++i)
+    next_frame(technique, near, {.seed = i, .previous_view = near.view, .cut = i == 0});
+  const Light after = next_frame(technique, far, {.seed = 8, .previous_view = near.view}).diffuse;
+  const Light fresh = diffuse(far, noisy(0), 8);
+  int uncovered = 0;
+  for (size_t i = 0; i < fresh.size(); ++i) {
+    if (near.depth[i] == far.depth[i]) continue;
+    ++uncovered;
+    ASSERT_EQ(after[i], fresh[i]) << "pixel " << i;
+  }
+  EXPECT_GT(uncovered, 1000);
+}
+
+TEST_F(TemporalTest, ACutLeavesNothing) {
+  CpuGBuffer bright = seen_from(corner_room, {0.5, 0.2, 0.5});
+  CpuGBuffer dark = bright;
+  dark.source.assign(dark.source.size(), glm::vec3(0));
+  Hierarchical technique(noisy(0.9f));
+  for (uint32_t i = 0; i < 4; ++i)
+    next_frame(technique, bright, {.seed = i, .previous_view = bright.view, .cut = i == 0});
+  const Light kept = next_frame(technique, dark, {.previous_view = bright.view}).diffuse;
+  EXPECT_GT(relative_rmse(kept, Light(kept.size(), glm::dvec3(1e-3))), 1.0);
+  for (const glm::dvec3& l :
+       next_frame(technique, dark, {.previous_view = bright.view, .cut = true}).diffuse)
+    ASSERT_EQ(l, glm::dvec3(0));
+}
+
+// Light that goes out: the clamp takes it away at once, the plain filter as slowly as it averages.
+TEST_F(TemporalTest, TheClampFollowsLightThatChanges) {
+  CpuGBuffer bright = seen_from(corner_room, {0.5, 0.2, 0.5});
+  CpuGBuffer dark = bright;
+  for (glm::vec3& s : dark.source) s *= 0.1f;
+  for (const bool clamped : {false, true}) {
+    Settings s = noisy(0.9f);
+    s.filter = true;
+    s.temporal_clamp = clamped;
+    Hierarchical technique(s);
+    for (uint32_t i = 0; i < 30; ++i)
+      next_frame(technique, bright, {.seed = i, .previous_view = bright.view, .cut = i == 0});
+    const Light after = next_frame(technique, dark, {.previous_view = bright.view}).diffuse;
+    double mean = 0, fresh = 0;
+    for (const glm::dvec3& l : after) mean += l.x;
+    for (const glm::dvec3& l : diffuse(dark, s)) fresh += l.x;
+    if (clamped)
+      EXPECT_LT(mean / fresh, 2.0);
+    else
+      EXPECT_GT(mean / fresh, 8.0);  // 0.9 * 10 + 0.1
+  }
+}
+
+TEST_F(TemporalTest, NoMotionNoMemory) {
+  CpuGBuffer g = seen_from(corner_room, {0.5, 0.2, 0.5});
+  g.motion.clear();
+  Hierarchical technique(noisy(0.9f));
+  next_frame(technique, g, {.seed = 1, .previous_view = g.view});
+  EXPECT_EQ(next_frame(technique, g, {.seed = 2, .previous_view = g.view}).diffuse,
+            diffuse(g, noisy(0), 2));
+}
+
+}  // namespace
+}  // namespace lueur

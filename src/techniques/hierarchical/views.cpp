@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// Sources that other views see. Beyond the papers: receivers and sources need not be of one view.
+#include <cmath>
+
+#include "techniques/hierarchical/equations.h"
+#include "techniques/hierarchical/hierarchical_frame.h"
+#include "techniques/hierarchical/shaders.h"
+#include "techniques/light_views.h"
+
+namespace lueur::hierarchical {
+namespace {
+
+// Levels whose rings reach across a whole view from any of its pixels.
+uint32_t levels_across(Extent extent, float radius_px) {
+  const float diagonal_px =
+      std::hypot(static_cast<float>(extent.width), static_cast<float>(extent.height));
+  uint32_t levels = 1;
+  for (float reach_px = radius_px; reach_px < diagonal_px && levels < 16; reach_px *= 2.0f)
+    ++levels;
+  return levels;
+}
+
+}  // namespace
+
+Pyramid HierarchicalFrame::pyramid_of_view(const View& view, Extent extent, int32_t light) {
+  const GBuffer g = inputs_.host->render_view(public_frame_, view, extent, light);
+  if (!g.depth.valid()) {
+    frame_.fail({ErrorKind::usage, "the engine gives no G-buffer of other views"});
+    return {};
+  }
+  Pyramid pyramid = begin_pyramid(view, g, {.factor = 1, .source = g.source});
+  finish_pyramid(pyramid, levels_across(extent, settings_.radius));
+  return pyramid;
+}
+
+void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receivers,
+                                    const std::string& pass, Image indirect, bool is_first) {
+  const Level& to = receivers.finest();
+  const uint32_t pixels_per_thread = gather_pixels_per_thread(to.extent);
+  for (uint32_t k = 0; k < givers.levels.size(); ++k) {
+    const Level& from = givers.levels[k];
+    GatherViewParams params{};
+    params.gather = gather_params(from, k, static_cast<uint32_t>(settings_.samples));
+    params.gather.extent = as_ivec2(to.extent);
+    params.receiver_screen = to.screen;
+    params.source_from_receiver = givers.view_from_world * receivers.world_from_view;
+    params.is_first = is_first && k == 0 ? 1 : 0;
+    frame_.dispatch(
+        at_level(pass, k),
+        {.shader = shaders::techniques_hierarchical_gather_view_comp,
+         .constants = {{"pixels_per_thread", pixels_per_thread},
+                       {"form_factor", static_cast<uint32_t>(settings_.form_factor)}},
+         .params = params,
+         .read = {{"geometry", from.geometry}, {"source", from.source}, {"receivers", to.geometry}},
+         .write = {{"indirect", indirect}},
+         .over = {to.extent.width, 3 * divide_up(to.extent.height, 3 * pixels_per_thread)}});
+  }
+}
+
+// The first bounce of all lights, from what each of them shines on.
+Gathered HierarchicalFrame::gather_from_lights(const Pyramid& receivers) {
+  const auto side_px = static_cast<uint32_t>(settings_.light_view_px);
+  const Image indirect = frame_.image("indirect", receivers.finest().extent, Format::rgba16f);
+  Gathered sum{indirect, 0};
+  const std::span<const PunctualLight> lights = inputs_.host->lights();
+  for (size_t i = 0; i < lights.size() && !frame_.failed(); ++i) {
+    for (const View& view : views_of_light(lights[i], inputs_.host->bounds())) {
+      const Pyramid givers = pyramid_of_view(view, {side_px, side_px}, static_cast<int32_t>(i));
+      if (frame_.failed()) break;
+      gather_from(givers, receivers, "gather_light", indirect, sum.levels == 0);
+      sum.levels += static_cast<uint32_t>(givers.levels.size());
+      release(givers);
+    }
+  }
+  return sum;
+}
+
+}  // namespace lueur::hierarchical
