@@ -21,6 +21,7 @@
 #include <string>
 #include <vector>
 
+#include "lueur/buffer.h"
 #include "lueur/image.h"
 #include "lueur/result.h"
 
@@ -64,6 +65,8 @@ class Frame {
   explicit Frame(Recorder* recorder) : recorder_(recorder) {}
   // Makes an engine's image usable by techniques in this frame.
   Image import(const ExternalImage& image);
+  // The same for a buffer. It is only read, so that there is nothing to put back.
+  BufferRef import(const ExternalBuffer& buffer);
   // Copies an image of Lueur's, such as a technique's output, into an imported one of the same
   // extent and format. The engine's image needs TRANSFER_DST usage.
   void copy(Image from, Image to);

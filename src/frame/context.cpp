@@ -10,6 +10,9 @@ namespace lueur {
 Image Frame::import(const ExternalImage& image) {
   return recorder_->import(image);
 }
+BufferRef Frame::import(const ExternalBuffer& buffer) {
+  return recorder_->import(buffer);
+}
 void Frame::copy(Image from, Image to) {
   recorder_->copy(from, to);
 }

@@ -115,6 +115,9 @@ VkDescriptorSet Recorder::bind_resources(const std::string& pass, const gpu::Pip
       const bool discard = is_written && !entry.written;
       use_image(barriers, *image, use_of(pipeline, *binding), discard);
     } else if (const BufferRef* buffer = std::get_if<BufferRef>(&bound.resource)) {
+      if (!buffer->valid()) mismatch(pass, pipeline, std::string(bound.name) + " is no buffer");
+      if (is_written && frame_buffers_[buffer->index].imported)
+        mismatch(pass, pipeline, std::string(bound.name) + " is the engine's, to be read only");
       use_buffer(barriers, *buffer, use_of(pipeline, *binding));
     }
     descriptors.push_back(describe(*binding, bound));

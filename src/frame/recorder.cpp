@@ -89,6 +89,7 @@ Result<void> Recorder::finish() {
   }
   for (auto& buffer : buffers_) buffer->in_use = false;
   frame_buffers_.clear();
+  imported_buffers_.clear();
   trim_pool();
   for (Slot::Chunk& chunk : slot_->chunks) chunk.buffer.flush();
   commands_.reset();
@@ -264,6 +265,16 @@ BufferRef Recorder::buffer(const char* name, uint64_t bytes) {
   entry.in_use = true;
   entry.last_frame = frame_;
   frame_buffers_.push_back({entry.buffer.handle(), 0, bytes, &entry.state});
+  return {static_cast<uint32_t>(frame_buffers_.size() - 1)};
+}
+
+BufferRef Recorder::import(const ExternalBuffer& external) {
+  if (failed()) return {};
+  LUEUR_CHECK(commands_.has_value());
+  gpu::AccessState& state = *imported_buffers_.emplace_back(std::make_unique<gpu::AccessState>());
+  state.write_stage = external.last_stage;
+  state.write_access = external.last_access;
+  frame_buffers_.push_back({external.buffer, 0, external.bytes, &state, true});
   return {static_cast<uint32_t>(frame_buffers_.size() - 1)};
 }
 

@@ -165,6 +165,7 @@ class Recorder {
 
   // A transient storage buffer in device memory; content undefined.
   BufferRef buffer(const char* name, uint64_t bytes);
+  BufferRef import(const ExternalBuffer& buffer);  // readonly in shaders
   // Bytes of the CPU for this frame, as a storage or uniform buffer.
   BufferRef upload(const void* data, uint64_t bytes);
   template <class T>
@@ -215,6 +216,7 @@ class Recorder {
     uint64_t offset = 0;
     uint64_t bytes = 0;
     gpu::AccessState* state = nullptr;  // none: written by the CPU before the submit
+    bool imported = false;
   };
   struct PooledBuffer {
     gpu::Buffer buffer;
@@ -276,6 +278,7 @@ class Recorder {
   std::vector<std::unique_ptr<PooledImage>> images_;
   std::vector<std::unique_ptr<PooledBuffer>> buffers_;
   std::vector<FrameBuffer> frame_buffers_;
+  std::vector<std::unique_ptr<gpu::AccessState>> imported_buffers_;
   std::map<std::string, History> histories_;
   History* history_ = nullptr;  // of this frame
   std::vector<std::vector<Bound>> material_sets_;

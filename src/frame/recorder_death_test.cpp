@@ -73,6 +73,18 @@ TEST_F(RecorderDeathTest, NothingIsUsedAfterItsRelease) {
   EXPECT_BROKEN(use_released(), "from was released");
 }
 
+TEST_F(RecorderDeathTest, TheEnginesBuffersAreNotWritten) {
+  const auto write_lent = [&](Frame& frame) {
+    const std::vector<uint32_t> numbers(4);
+    recorder().dispatch("test.pass", {.shader = shaders::frame_test_shaders_double_comp,
+                                      .read = {{"numbers", recorder().upload(numbers)}},
+                                      .write = {{"doubled", frame.import(ExternalBuffer{})}},
+                                      .over = {4, 1}});
+  };
+  EXPECT_DEATH(run([&](Frame& frame) { write_lent(frame); }),
+               "pass test\\.pass, .*doubled is the engine's, to be read only");
+}
+
 TEST_F(RecorderDeathTest, CopiesKeepExtentAndFormat) {
   EXPECT_DEATH(run([&](Frame& frame) { frame.copy(ones(), target(Format::rgba16f)); }),
                "broken promise.*from\\.format == to\\.format");

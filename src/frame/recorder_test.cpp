@@ -354,6 +354,35 @@ INSTANTIATE_TEST_SUITE_P(Layouts, ImportTest,
                          testing::Values(VK_IMAGE_LAYOUT_GENERAL,
                                          VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL));
 
+// An engine's buffer, filled by the engine in the same command buffer. Synchronization validation
+// watches.
+TEST_F(RecorderTest, ImportedBuffersAreReadAfterTheEnginesWrites) {
+  constexpr uint32_t kNumber = 21;
+  auto engines = gpu::Buffer::create(
+      recorder().device(),
+      {.name = "engine's",
+       .bytes = uint64_t{kSmall.width} * kSmall.height * sizeof(uint32_t),
+       .usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT});
+  ASSERT_TRUE(engines.ok()) << engines.error().message;
+  const auto result = system().run([&](VkCommandBuffer handle) {
+    gpu::CommandList(handle, false).fill_buffer(engines->handle(), kNumber);
+    Frame frame = context().record(handle);
+    const BufferRef lent = frame.import({.buffer = engines->handle(),
+                                         .bytes = engines->bytes(),
+                                         .last_stage = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT,
+                                         .last_access = VK_ACCESS_2_TRANSFER_WRITE_BIT});
+    const Image shown = recorder().image("shown", kSmall, Format::r32ui);
+    recorder().dispatch("test.show", {.shader = shaders::frame_test_shaders_show_comp,
+                                      .read = {{"numbers", lent}},
+                                      .write = {{"shown", shown}},
+                                      .over = kSmall});
+    recorder().read_back("shown", shown);
+    return frame.finish();
+  });
+  ASSERT_TRUE(result.ok()) << result.error().message;
+  expect_all("shown", static_cast<float>(kNumber));
+}
+
 // A technique's output goes into an engine's image that nobody has written yet.
 TEST_F(RecorderTest, CopiesGoIntoImportedImages) {
   constexpr VkImageLayout kLayout = VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL;
