@@ -43,6 +43,8 @@ struct ContextInfo {
   std::filesystem::path pipeline_cache;
   // Measure the GPU time of each pass. Costs two barriers a pass; leave it off in a shipped game.
   bool timers = false;
+  // The device was made with the feature logicOp, which is not required: what needs it says so.
+  bool logic_op = false;
   // Debug labels and object names (needs VK_EXT_debug_utils enabled on the instance).
   bool debug_names = false;
 };

@@ -27,6 +27,7 @@ enum class Format : uint8_t {
   r32f,        // VK_FORMAT_R32_SFLOAT
   rgba32f,     // VK_FORMAT_R32G32B32A32_SFLOAT
   r32ui,       // VK_FORMAT_R32_UINT
+  rgba32ui,    // VK_FORMAT_R32G32B32A32_UINT
   d32f,        // VK_FORMAT_D32_SFLOAT
 };
 

@@ -61,6 +61,7 @@ float decode(const std::byte* channel, Format format) {
     case Format::rgba16f:
       return glm::unpackHalf1x16(as(uint16_t{}));
     case Format::r32ui:
+    case Format::rgba32ui:
       return static_cast<float>(as(uint32_t{}));
     case Format::r32f:
     case Format::rgba32f:

@@ -203,7 +203,9 @@ void Recorder::draw(const std::string& pass, const Draw& info) {
   for (const DrawTarget& target : info.color) {
     use_image(barriers, target.image, gpu::Use::color_attachment,
               !images_[target.image.index]->written);
-    colors.push_back({layer_view(target), target.clear});
+    if (target.keep && !images_[target.image.index]->written)
+      mismatch(pass, pipeline, std::string(target.name) + " is kept before it was written");
+    colors.push_back({layer_view(target), target.clear, target.keep});
   }
   gpu::DepthTarget depth;
   Extent extent;
@@ -286,8 +288,8 @@ void DrawList::indexed(uint32_t index_count, uint32_t first_index, int32_t verte
                                     first_instance);
 }
 
-void DrawList::fullscreen_triangle() {
-  recorder_.commands_->draw(3);
+void DrawList::vertices(uint32_t vertex_count) {
+  recorder_.commands_->draw(vertex_count);
 }
 
 }  // namespace lueur

@@ -63,6 +63,7 @@ struct DrawTarget {
   Image image;
   std::array<float, 4> clear{};
   uint32_t layer = 0;
+  bool keep = false;  // colour only: draw onto what an earlier pass wrote, instead of clearing it
 };
 
 // Textures and buffers of one material, bound as descriptor set 1. Lives as long as the recorder.
@@ -91,7 +92,9 @@ class DrawList {
   void push(const Params& params);
   void indexed(uint32_t index_count, uint32_t first_index, int32_t vertex_offset,
                uint32_t instance_count, uint32_t first_instance);
-  void fullscreen_triangle();
+  // Without vertex attributes: the shader goes by gl_VertexIndex.
+  void vertices(uint32_t vertex_count);
+  void fullscreen_triangle() { vertices(3); }
 
  private:
   friend class Recorder;
@@ -188,6 +191,8 @@ class Recorder {
   // Names "pass.image" that the last frame has written, in order.
   const std::vector<std::string>& written_images() const { return written_images_; }
   MemoryUse memory() const { return device_->memory(); }
+  // True where a draw may use logic operations, see ContextInfo::logic_op.
+  bool has_logic_op() const { return device_->logic_op; }
   // True where shaders run on the CPU: passes then give each thread more pixels.
   bool runs_on_cpu() const { return device_->properties.deviceType == VK_PHYSICAL_DEVICE_TYPE_CPU; }
   gpu::Device& device() { return *device_; }

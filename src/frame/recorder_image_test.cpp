@@ -35,11 +35,12 @@ class RecorderImageTest : public GpuTest {
   template <class T>
   void round_trip(Format format, const std::vector<T>& values) {
     const uint32_t channels = gpu::info(format).channels;
+    const bool is_integer = format == Format::r32ui || format == Format::rgba32ui;
     const Extent extent{static_cast<uint32_t>(values.size()) / channels, 1};
     run([&](Frame&) {
       const Image image = recorder().upload_image("image", extent, format, values.data());
       recorder().read_back("back", image);
-      if (format == Format::r32ui) return;
+      if (is_integer) return;
       recorder().options.scan = false;
       const Image seen = recorder().image("seen", extent, Format::rgba32f);
       copy("test.copy", image, seen);
@@ -48,7 +49,7 @@ class RecorderImageTest : public GpuTest {
     back_ = pixels("back");
     EXPECT_EQ(back_.channels, channels);
     EXPECT_EQ(back_.extent, extent);
-    if (format != Format::r32ui) seen_ = pixels("seen");
+    if (!is_integer) seen_ = pixels("seen");
   }
   // Both ways give `expected`; channels that the format lacks read as 0, 0, 1.
   void expect_values(const std::vector<float>& expected, float tolerance = 0.0f) {
@@ -123,6 +124,40 @@ TEST_F(RecorderImageTest, FloatsAndIntegersComeBack) {
   }
   round_trip<uint32_t>(Format::r32ui, {0, 1, 4'000'000'000u});
   EXPECT_EQ(back_.samples, (std::vector<float>{0.0f, 1.0f, 4e9f}));
+  round_trip<uint32_t>(Format::rgba32ui, {0, 1, 2, 4'000'000'000u});
+  EXPECT_EQ(back_.samples, (std::vector<float>{0.0f, 1.0f, 2.0f, 4e9f}));
+}
+
+// Several draws into the same integer image: each keeps what the one before left.
+TEST_F(RecorderImageTest, LogicOperationsCombineBits) {
+  if (!recorder().has_logic_op()) GTEST_SKIP() << "the device has no logicOp";
+  constexpr Extent kExtent{4, 2};
+  run([&](Frame&) {
+    const Image bits = recorder().image("bits", kExtent, Format::rgba32ui);
+    const auto draw = [&](const char* pass, gpu::LogicOp op, vec4 value, bool keep) {
+      // One triangle over the left half, see fill.vert.
+      recorder().draw(pass, {.state = {.vertex = &shaders::frame_test_shaders_fill_vert,
+                                       .fragment = &shaders::frame_test_shaders_bits_frag,
+                                       .logic_op = op},
+                             .params = FillParams{value, 0.5f},
+                             .color = {{.name = "bits", .image = bits, .keep = keep}},
+                             .record = [](DrawList& list) {
+                               list.cull_back_faces(false);
+                               list.vertices(3);
+                             }});
+    };
+    draw("test.xor", gpu::LogicOp::bit_xor, vec4(12.0f, 1.0f, 0.0f, 7.0f), false);
+    draw("test.xor_again", gpu::LogicOp::bit_xor, vec4(10.0f, 1.0f, 0.0f, 0.0f), true);
+    draw("test.or", gpu::LogicOp::bit_or, vec4(1.0f, 0.0f, 5.0f, 8.0f), true);
+    recorder().read_back("bits", bits);
+  });
+  const Pixels bits = pixels("bits");
+  for (uint32_t i = 0; i < kExtent.width * kExtent.height; ++i) {
+    const bool is_drawn = i % kExtent.width < kExtent.width / 2;
+    const std::vector<float> expected =
+        is_drawn ? std::vector<float>{7, 0, 5, 15} : std::vector<float>{0, 0, 0, 0};
+    EXPECT_EQ(std::vector(&bits.samples[4 * i], &bits.samples[4 * i] + 4), expected) << i;
+  }
 }
 
 TEST_F(RecorderImageTest, DrawnColorAndDepthComeBack) {

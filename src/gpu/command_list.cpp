@@ -93,7 +93,7 @@ void CommandList::begin_rendering(Extent extent, std::span<const ColorTarget> co
     VkRenderingAttachmentInfo a{VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO};
     a.imageView = target.view;
     a.imageLayout = VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL;
-    a.loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
+    a.loadOp = target.keep ? VK_ATTACHMENT_LOAD_OP_LOAD : VK_ATTACHMENT_LOAD_OP_CLEAR;
     a.storeOp = VK_ATTACHMENT_STORE_OP_STORE;
     for (size_t c = 0; c < 4; ++c) a.clearValue.color.float32[c] = target.clear[c];
     color_attachments.push_back(a);

@@ -25,7 +25,8 @@ struct BufferTransition {
 
 struct ColorTarget {
   VkImageView view = VK_NULL_HANDLE;
-  std::array<float, 4> clear{};  // the old content is always replaced
+  std::array<float, 4> clear{};
+  bool keep = false;  // draw onto the old content, instead of clearing it
 };
 
 struct DepthTarget {

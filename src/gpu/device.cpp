@@ -128,6 +128,7 @@ Result<std::unique_ptr<Device>> Device::create(const ContextInfo& info) {
   std::unique_ptr<Device> device(new Device);
   device->physical = info.physical_device;
   device->handle = info.device;
+  device->logic_op = info.logic_op;
   device->debug_names = info.debug_names && vkSetDebugUtilsObjectNameEXT != nullptr;
   vkGetPhysicalDeviceProperties(info.physical_device, &device->properties);
 

@@ -27,6 +27,7 @@ class Device {
   VmaAllocator allocator = nullptr;
   VkPhysicalDeviceProperties properties{};
   bool debug_names = false;
+  bool logic_op = false;  // LogicOp other than copy may be used
 
   // Names an object for validation messages and frame debuggers; a no-op without debug_names.
   void name(VkObjectType type, uint64_t object, const std::string& text) const;

@@ -18,6 +18,7 @@ constexpr FormatInfo kFormats[] = {
     {Format::r32f, VK_FORMAT_R32_SFLOAT, "r32f", "r32f", 4, 1, true, false},
     {Format::rgba32f, VK_FORMAT_R32G32B32A32_SFLOAT, "rgba32f", "rgba32f", 16, 4, true, false},
     {Format::r32ui, VK_FORMAT_R32_UINT, "r32ui", "r32ui", 4, 1, false, false},
+    {Format::rgba32ui, VK_FORMAT_R32G32B32A32_UINT, "rgba32ui", "rgba32ui", 16, 4, false, false},
     {Format::d32f, VK_FORMAT_D32_SFLOAT, "d32f", "", 4, 1, true, true},
 };
 

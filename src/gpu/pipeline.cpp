@@ -86,14 +86,27 @@ VkPipelineDepthStencilStateCreateInfo depth_state(const GraphicsState& state) {
   return depth;
 }
 
+VkLogicOp to_vk(LogicOp op) {
+  switch (op) {
+    case LogicOp::copy:
+      return VK_LOGIC_OP_COPY;
+    case LogicOp::bit_xor:
+      return VK_LOGIC_OP_XOR;
+    case LogicOp::bit_or:
+      return VK_LOGIC_OP_OR;
+  }
+  return VK_LOGIC_OP_COPY;
+}
+
 // A string that is equal exactly if the pipelines are.
 std::string key_of(const GraphicsState& s) {
   std::string key = "graphics " + std::string(s.vertex->name) + " " +
                     (s.fragment ? std::string(s.fragment->name) : "-");
   for (Format format : s.color_formats) key += " " + std::string(info(format).name);
   key += " d" + std::to_string(s.has_depth) + std::to_string(static_cast<int>(s.depth_test)) +
-         " c" + std::to_string(s.depth_clamp) + " b" + std::to_string(s.depth_bias_slope) + " v" +
-         std::to_string(s.vertex_stride_bytes);
+         " c" + std::to_string(s.depth_clamp) + " l" +
+         std::to_string(static_cast<int>(s.logic_op)) + " b" + std::to_string(s.depth_bias_slope) +
+         " v" + std::to_string(s.vertex_stride_bytes);
   for (const VertexAttribute& a : s.vertex_attributes)
     key += " " + std::to_string(a.format) + "@" + std::to_string(a.offset_bytes);
   return key;
@@ -293,6 +306,9 @@ Result<const Pipeline*> PipelineLibrary::graphics(const GraphicsState& state) {
       VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO};
   blend.attachmentCount = static_cast<uint32_t>(blends.size());
   blend.pAttachments = blends.data();
+  LUEUR_CHECK(state.logic_op == LogicOp::copy || device_.logic_op);
+  blend.logicOpEnable = state.logic_op != LogicOp::copy;
+  blend.logicOp = to_vk(state.logic_op);
   const VkDynamicState dynamic_states[] = {VK_DYNAMIC_STATE_VIEWPORT, VK_DYNAMIC_STATE_SCISSOR,
                                            VK_DYNAMIC_STATE_CULL_MODE, VK_DYNAMIC_STATE_FRONT_FACE};
   VkPipelineDynamicStateCreateInfo dynamic{VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO};

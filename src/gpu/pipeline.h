@@ -15,6 +15,10 @@ namespace lueur::gpu {
 
 enum class DepthTest : uint8_t { none, nearer_reversed, nearer_or_equal_reversed };
 
+// What becomes of a colour target's bits. All but `copy` are for integer formats, and only where
+// Device::logic_op says so.
+enum class LogicOp : uint8_t { copy, bit_xor, bit_or };
+
 struct VertexAttribute {
   VkFormat format = VK_FORMAT_R32G32B32_SFLOAT;
   uint32_t offset_bytes = 0;  // the location is the attribute's place in the list
@@ -30,6 +34,7 @@ struct GraphicsState {
   bool has_depth = false;  // d32f
   DepthTest depth_test = DepthTest::none;
   bool depth_clamp = false;
+  LogicOp logic_op = LogicOp::copy;
   float depth_bias_slope = 0.0f;
   std::vector<VertexAttribute> vertex_attributes;
   uint32_t vertex_stride_bytes = 0;

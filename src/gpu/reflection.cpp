@@ -32,6 +32,8 @@ VkFormat storage_format(SpvImageFormat format) {
       return VK_FORMAT_R32G32B32A32_SFLOAT;
     case SpvImageFormatR32ui:
       return VK_FORMAT_R32_UINT;
+    case SpvImageFormatRgba32ui:
+      return VK_FORMAT_R32G32B32A32_UINT;
     default:
       return VK_FORMAT_UNDEFINED;
   }

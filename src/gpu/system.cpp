@@ -172,8 +172,13 @@ Result<void> System::make_device() {
   queue.queueFamilyIndex = queue_family_;
   queue.queueCount = 1;
   queue.pQueuePriorities = &priority;
+  VkPhysicalDeviceFeatures supported{};
+  vkGetPhysicalDeviceFeatures(physical_, &supported);
+  logic_op_ = supported.logicOp;
+  VkPhysicalDeviceFeatures2 features = *required_features();
+  features.features.logicOp = logic_op_;
   VkDeviceCreateInfo create{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
-  create.pNext = required_features();
+  create.pNext = &features;
   create.queueCreateInfoCount = 1;
   create.pQueueCreateInfos = &queue;
   VkResult result = vkCreateDevice(physical_, &create, nullptr, &device_);
@@ -237,6 +242,7 @@ ContextInfo System::context_info() const {
   info.instance = instance_;
   info.physical_device = physical_;
   info.device = device_;
+  info.logic_op = logic_op_;
   info.debug_names = debug_names_;
   return info;
 }

@@ -72,6 +72,7 @@ class System {
   VkCommandBuffer commands_ = VK_NULL_HANDLE;
   VkFence fence_ = VK_NULL_HANDLE;
   DeviceEntry entry_;
+  bool logic_op_ = false;
   bool debug_names_ = false;
 };
 
