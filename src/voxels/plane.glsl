@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Where a triangle's plane is in the columns of voxels, the same for both voxelizers.
+
+// The triangle's plane on the screen, where 1 / z is linear.
+struct Plane {
+  vec2 at_px;     // a point on the screen, its 1 / z
+  float inverse_z;
+  vec2 gradient;  // of 1 / z, a pixel
+  vec2 bounds;    // least and greatest 1 / z of the triangle's visible part
+};
+
+// First and last slice of a pixel's column that the plane belongs to. Solids: where it is crossed
+// at the pixel's centre, and all behind. Shells: all it crosses within the pixel. Slices outside of
+// the grid may be among them, and first > last says there is none inside.
+ivec2 slices_of(VoxelRange range, Plane plane, vec2 position_px, bool is_shell) {
+  precise const float inverse_z =
+      plane.inverse_z + dot(plane.gradient, position_px - plane.at_px);
+  const float half_px = is_shell ? 0.5 * (abs(plane.gradient.x) + abs(plane.gradient.y)) : 0.0;
+  const vec2 ends = 1.0 / clamp(inverse_z + vec2(half_px, -half_px), plane.bounds.x,
+                                plane.bounds.y);
+  const float slices = float(range.slices);
+  const float first = clamp(floor(slice_place(range, ends.x)), -1.0, slices);
+  const float last = clamp(floor(slice_place(range, ends.y)), -1.0, slices - 1.0);
+  return ivec2(max(int(first), 0), is_shell ? int(last) : int(range.slices) - 1);
+}
