@@ -9,19 +9,10 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/file.h"
+
 namespace lueur::cli {
 namespace {
-
-// Returns 0 or errno.
-int write_all(int descriptor, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t written = ::write(descriptor, text.data(), text.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) return written == 0 ? EIO : errno;
-    text.remove_prefix(static_cast<size_t>(written));
-  }
-  return 0;
-}
 
 // One write a line, so that lines of several programs do not mix. Nobody is left to tell when
 // stderr itself fails.

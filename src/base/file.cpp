@@ -11,6 +11,7 @@
 #include <cstring>
 #include <fstream>
 #include <system_error>
+#include <utility>
 
 #include "base/try.h"
 
@@ -22,16 +23,8 @@ Error cannot_write(const fs::path& path, int error_number) {
   return {ErrorKind::output, path.string() + ": cannot be written: " + std::strerror(error_number)};
 }
 
-// Writes everything to `descriptor`; returns 0 or errno.
-int write_all(int descriptor, std::span<const uint8_t> bytes) {
-  size_t done = 0;
-  while (done < bytes.size()) {
-    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return n == 0 ? EIO : errno;
-    done += static_cast<size_t>(n);
-  }
-  return 0;
+std::span<const uint8_t> as_bytes(std::string_view text) {
+  return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
 }
 
 Result<void> write_in_place(const fs::path& path, std::span<const uint8_t> bytes) {
@@ -83,6 +76,21 @@ Result<std::vector<uint8_t>> read_file_head(const fs::path& path, uint64_t max_b
   return read_start(path, std::min(size, max_bytes));
 }
 
+int write_all(int descriptor, std::span<const uint8_t> bytes) {
+  size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t n = ::write(descriptor, bytes.data() + done, bytes.size() - done);
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return n == 0 ? EIO : errno;
+    done += static_cast<size_t>(n);
+  }
+  return 0;
+}
+
+int write_all(int descriptor, std::string_view text) {
+  return write_all(descriptor, as_bytes(text));
+}
+
 Result<void> write_file(const fs::path& path, std::span<const uint8_t> bytes) {
   // Write devices and pipes in place: they cannot be replaced by a rename.
   struct stat status {};
@@ -91,28 +99,51 @@ Result<void> write_file(const fs::path& path, std::span<const uint8_t> bytes) {
     if (!S_ISREG(status.st_mode)) return write_in_place(path, bytes);
   }
 
+  LUEUR_TRY(file, PendingFile::create(path));
+  if (const int failure = write_all(file.descriptor(), bytes); failure != 0)
+    return cannot_write(path, failure);
+  return file.commit();
+}
+
+Result<void> write_file(const fs::path& path, std::string_view text) {
+  return write_file(path, as_bytes(text));
+}
+
+Result<PendingFile> PendingFile::create(const fs::path& path) {
   // Write beside the final name, so that the rename stays on one file system.
   std::string temporary = path.string() + ".tmp-XXXXXX";
   const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0) return cannot_write(path, errno);
+  PendingFile file(path, temporary, descriptor);
 
-  // Give the file the permissions a plain open() would have given it; mkstemp makes it private.
+  // mkostemp makes it private.
   const mode_t mask = ::umask(0);
   ::umask(mask);
-  int failure = ::fchmod(descriptor, 0666 & ~mask) != 0 ? errno : 0;
-  if (failure == 0) failure = write_all(descriptor, bytes);
-  if (failure == 0 && ::fsync(descriptor) != 0) failure = errno;
-  if (::close(descriptor) != 0 && failure == 0) failure = errno;
-  if (failure == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) failure = errno;
-  if (failure != 0) {
-    ::unlink(temporary.c_str());
-    return cannot_write(path, failure);
-  }
-  return {};
+  if (::fchmod(descriptor, 0666 & ~mask) != 0) return cannot_write(path, errno);
+  return file;
 }
 
-Result<void> write_file(const fs::path& path, std::string_view text) {
-  return write_file(path, std::span(reinterpret_cast<const uint8_t*>(text.data()), text.size()));
+PendingFile::PendingFile(fs::path path, fs::path temporary, int descriptor)
+    : path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+
+PendingFile::PendingFile(PendingFile&& other) noexcept
+    : path_(std::move(other.path_)),
+      temporary_(std::move(other.temporary_)),
+      descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+PendingFile::~PendingFile() {
+  if (descriptor_ < 0) return;
+  ::close(descriptor_);
+  ::unlink(temporary_.c_str());
+}
+
+Result<void> PendingFile::commit() {
+  int failure = ::fsync(descriptor_) != 0 ? errno : 0;
+  if (::close(std::exchange(descriptor_, -1)) != 0 && failure == 0) failure = errno;
+  if (failure == 0 && ::rename(temporary_.c_str(), path_.c_str()) != 0) failure = errno;
+  if (failure == 0) return {};
+  ::unlink(temporary_.c_str());
+  return cannot_write(path_, failure);
 }
 
 fs::path cache_folder() {
