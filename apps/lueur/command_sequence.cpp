@@ -12,10 +12,6 @@
 namespace lueur::cli {
 namespace {
 
-// Scenes are posed at float times. Below this those are 0.06 ms apart, well under a frame.
-constexpr float kMostSeconds = 1000.0f;
-constexpr float kMostFramesASecond = 1e6f;
-
 struct Options {
   std::string scene;
   LoadLimits limits;
@@ -33,13 +29,6 @@ struct Options {
   bool json = false;
 };
 
-Result<float> parse_rate(const std::string& text) {
-  LUEUR_TRY(rate, parse_real("--rate", text, kMostFramesASecond));
-  if (!(rate >= 1.0f))
-    return Error{ErrorKind::usage, "--rate '" + text + "': expected 1 frame a second or more"};
-  return rate;
-}
-
 Result<Hold> parse_hold(const std::string& text) {
   if (text.empty()) return Hold::nothing;
   if (text == "camera") return Hold::camera;
@@ -50,12 +39,13 @@ Result<Hold> parse_hold(const std::string& text) {
 Result<Sequence> check_sequence(const Options& options) {
   LUEUR_TRY(setup, check(options.frame));
   LUEUR_TRY(from_s, parse_real("--from", options.from, kMostSeconds));
-  LUEUR_TRY(rate, parse_rate(options.rate));
+  LUEUR_TRY(rate, parse_rate("--rate", options.rate));
   LUEUR_TRY(frames, parse_count("--frames", options.frames, 2, 10000));
   LUEUR_TRY(settle, parse_count("--settle", options.settle, 0, 1000));
   LUEUR_TRY(average, parse_count("--average", options.average, 1, 10000));
   LUEUR_TRY(uncovered, parse_count("--uncovered", options.uncovered, 1, 10000));
-  return Sequence{setup, from_s, rate, frames, options.fixed_seed, settle, average, uncovered};
+  return Sequence{setup,    Pace{from_s, rate, options.fixed_seed}, frames, settle, average,
+                  uncovered};
 }
 
 Result<SequenceJob> check(const Options& options) {

@@ -11,11 +11,6 @@
 namespace lueur::cli {
 namespace {
 
-float time_of(const Sequence& sequence, int32_t frame) {
-  return static_cast<float>(static_cast<double>(sequence.from_s) +
-                            frame / static_cast<double>(sequence.rate));
-}
-
 // E/pi of the technique; black without one.
 ImageF indirect_of(std::span<const Pixels> pixels, Extent size) {
   const Pixels* indirect = find_pixels(pixels, "indirect");
@@ -52,9 +47,10 @@ class Renderings {
         standing_(copy(technique)) {}
 
   Result<std::vector<Pixels>> moving(int32_t frame) {
-    LUEUR_TRY(record,
-              render(moving_.label, moving_shot(sequence_, camera_, frame), moving_.technique.get(),
-                     {"composed", "indirect", "depth", "normal", "motion"}));
+    LUEUR_TRY(
+        record,
+        render(moving_.label, moving_shot(sequence_.pace, sequence_.setup, camera_, frame),
+               moving_.technique.get(), {"composed", "indirect", "depth", "normal", "motion"}));
     return std::move(record.pixels);
   }
 
@@ -105,19 +101,11 @@ Result<void> add_pair(const Kept& before, const Kept& now, SequenceErrors& error
 
 }  // namespace
 
-Shot moving_shot(const Sequence& sequence, int32_t camera, int32_t frame) {
-  return {.extent = sequence.setup.size,
-          .camera = camera,
-          .time_s = time_of(sequence, frame),
-          .previous_time_s = time_of(sequence, frame - 1),
-          .seed = sequence.setup.seed + (sequence.fixed_seed ? 0u : static_cast<uint32_t>(frame))};
-}
-
 Shot standing_shot(const Sequence& sequence, int32_t camera, int32_t frame, uint32_t i) {
   return {.extent = sequence.setup.size,
           .camera = camera,
-          .time_s = time_of(sequence, frame),
-          .previous_time_s = time_of(sequence, frame),
+          .time_s = time_of(sequence.pace, frame),
+          .previous_time_s = time_of(sequence.pace, frame),
           .seed = sequence.setup.seed + i};
 }
 

@@ -10,6 +10,7 @@
 
 #include "frame_options.h"
 #include "image/sequence_error.h"
+#include "moving_shot.h"
 #include "session.h"
 #include "technique_list.h"
 
@@ -17,20 +18,14 @@ namespace lueur::cli {
 
 struct Sequence {
   FrameSetup setup;
-  float from_s = 0.0f;  // time of frame 0
-  float rate = 60.0f;   // frames a second
+  Pace pace;
   uint32_t frames = 16;
-  bool fixed_seed = false;  // all frames have the first one's
   // Frames before the first that counts, from which on a technique's memory is full: of the
   // animation before frame 0, and of a standing instant before its mean.
   uint32_t settle = 8;
   uint32_t average = 16;   // renderings in the mean that is a standing frame's converged picture
   uint32_t uncovered = 8;  // frames for which a pixel counts as uncovered lately
 };
-
-// Frame `frame` of the animation, negative ones being those before the first. Its time before is
-// that of the frame before, its seed counts up with the frames unless it is fixed.
-Shot moving_shot(const Sequence& sequence, int32_t camera, int32_t frame);
 
 // Rendering `i` of the same instant standing still. Its seeds are the same for every frame, so that
 // the means of two frames share what is left of their noise and differ by the light that moved.

@@ -33,8 +33,8 @@ Result<void> check_output(const SequenceJob& job) {
 }
 
 void hold(Scene& scene, int32_t camera, const SequenceJob& job) {
-  if (job.hold == Hold::camera) hold_camera(scene, camera, job.sequence.from_s);
-  if (job.hold == Hold::scene) hold_all_but_camera(scene, camera, job.sequence.from_s);
+  if (job.hold == Hold::camera) hold_camera(scene, camera, job.sequence.pace.from_s);
+  if (job.hold == Hold::scene) hold_all_but_camera(scene, camera, job.sequence.pace.from_s);
 }
 
 // Measures all techniques in turn. The first frame's exposure is that of all.
@@ -81,11 +81,11 @@ Json report_json(const SequenceJob& job, const std::vector<SequenceErrors>& all,
           {"environment", environment_json(sequence.setup.environment)},
           {"device", device_json(device)},
           {"size", size_json(sequence.setup.size)},
-          {"from_s", as_printed(sequence.from_s)},
-          {"rate", as_printed(sequence.rate)},
+          {"from_s", as_printed(sequence.pace.from_s)},
+          {"rate", as_printed(sequence.pace.rate)},
           {"frames", sequence.frames},
           {"seed", sequence.setup.seed},
-          {"fixed_seed", sequence.fixed_seed},
+          {"fixed_seed", sequence.pace.fixed_seed},
           {"hold", kHeld[static_cast<size_t>(job.hold)]},
           {"settle", sequence.settle},
           {"average", sequence.average},
