@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // lueur render: one picture of a scene, and what is known about how it was made.
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
 
 #include "arguments.h"
@@ -23,6 +24,9 @@ struct Options {
   FrameOptions frame;
   std::string exposure;
   std::string time_s = "0";
+  std::string frames;
+  std::string fps = "60";
+  std::string settle = "0";
   std::string tone_map = "khronos-neutral";
   std::string view;
   std::vector<std::string> dump;
@@ -32,6 +36,32 @@ struct Options {
   bool scan = false;
   bool validate = false;
 };
+
+// When the picture is, or the frames are, and where they go.
+Result<void> check_frames(const Options& options, RenderJob& job) {
+  LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
+  LUEUR_TRY(rate, parse_rate("--fps", options.fps));
+  job.pace = {.from_s = time_s, .rate = rate};
+  if (options.frames.empty()) {
+    LUEUR_TRY_VOID(check_no_frames(options.outputs));
+    LUEUR_TRY(destinations, check_destinations(options.outputs, job.setup.size));
+    job.destinations = destinations;
+    return {};
+  }
+  LUEUR_TRY(frames, parse_frames(options.frames));
+  LUEUR_TRY(settle, parse_count("--settle", options.settle, 0, 1000));
+  job.frames = frames;
+  job.settle = settle;
+  const float last_s = time_of(job.pace, static_cast<int32_t>(frames.last));
+  if (std::abs(time_s) > kMostSeconds || last_s > kMostSeconds)
+    return Error{ErrorKind::usage, "--frames '" + options.frames +
+                                       "': beyond the animation's first " +
+                                       std::to_string(static_cast<int>(kMostSeconds)) +
+                                       " seconds; choose a lower --time or frame"};
+  LUEUR_TRY(outputs, check_frame_outputs(options.outputs, frames, job.setup.size));
+  job.frame_outputs = std::move(outputs);
+  return {};
+}
 
 Result<RenderJob> check(const Options& options) {
   RenderJob job;
@@ -53,11 +83,7 @@ Result<RenderJob> check(const Options& options) {
   if (!options.view.empty() && options.outputs.empty())
     return Error{ErrorKind::usage, "--view " + options.view + " needs a file; add -o FILE.png"};
   LUEUR_TRY(setup, check(options.frame));
-  job.size = setup.size;
-  job.seed = setup.seed;
-  job.environment = setup.environment;
-  LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
-  job.time_s = time_s;
+  job.setup = setup;
   LUEUR_TRY(tone_map, parse_tone_map(options.tone_map));
   job.tone_map = tone_map;
   job.tone_map_name = options.tone_map;
@@ -65,8 +91,7 @@ Result<RenderJob> check(const Options& options) {
   job.exposure = exposure;
   LUEUR_TRY(technique, choose_technique(options.technique.name, options.technique.settings));
   job.technique = std::move(technique);
-  LUEUR_TRY(destinations, check_destinations(options.outputs, setup.size));
-  job.destinations = destinations;
+  LUEUR_TRY_VOID(check_frames(options, job));
   if (!job.dump_to.empty()) LUEUR_TRY_VOID(make_folder(job.dump_to));
   return job;
 }
@@ -96,6 +121,16 @@ constexpr char kFooter[] =
     "for compiling pipelines and touching memory. technique_ms is the sum of the passes of the\n"
     "technique, frame_ms of all passes, both GPU time.\n"
     "\n"
+    "--frames A-B renders frames of the animation one after the other, as an application would:\n"
+    "frame N shows the second --time + N / --fps, its seed is --seed + N, and what a technique\n"
+    "remembers stays with it. -o then names pictures by their frame, {frame} or with leading "
+    "zeros\n"
+    "{frame:4}, or a video, .mp4, .webm or .mkv, which the program ffmpeg has to be there for. "
+    "What\n"
+    "the first frame is exposed by, --exposure auto or another, holds for all. Ctrl-C stops "
+    "between\n"
+    "two frames. --json tells medians of all frames.\n"
+    "\n"
     "Examples:\n"
     "  lueur render cornell -o cornell.png\n"
     "  lueur render divider-room --object figure.glb -o figure.png\n"
@@ -104,12 +139,23 @@ constexpr char kFooter[] =
     "  lueur render cornell --list-views\n"
     "  lueur render cornell --view hierarchical.gather@0.indirect -o level0.png\n"
     "  lueur render cornell --dump 'hierarchical.*' --dump-to passes\n"
-    "  lueur render room.glb --scan --validate\n";
+    "  lueur render room.glb --scan --validate\n"
+    "  lueur render cornell --frames 0-119 -o cornell.mp4\n"
+    "  lueur render cornell --frames 0-23 --fps 24 --settle 8 -o {frame:4}.png -o {frame:4}.exr\n";
 
 void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options) {
   command->add_option("--time", options->time_s, "Seconds into the animation (default 0)")
       ->type_name("SECONDS");
-  command->add_option("--exposure", options->exposure, "Stops to add, or auto")
+  auto* frames =
+      command->add_option("--frames", options->frames, "Render these frames of the animation")
+          ->type_name("A-B");
+  command->add_option("--fps", options->fps, "Frames a second (default 60)")->type_name("FPS");
+  command->add_option("--settle", options->settle, "Frames before those, not written (default 0)")
+      ->type_name("N")
+      ->needs(frames);
+  command
+      ->add_option("--exposure", options->exposure,
+                   "Stops to add, or auto: by the picture, with --frames by the first")
       ->type_name("EV|auto");
   std::vector<std::string> curves;
   curves.reserve(kToneMapNames.size());
@@ -121,7 +167,8 @@ void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options
 
 void add_inspection_options(CLI::App* command, const std::shared_ptr<Options>& options) {
   command->add_flag("--json", options->json, "Report as one JSON object on stdout");
-  command->add_flag("--list-views", options->list_views, "List the images that --view takes");
+  auto* list_views =
+      command->add_flag("--list-views", options->list_views, "List the images that --view takes");
   auto* view =
       command->add_option("--view", options->view, "Write PASS.IMAGE instead of the picture")
           ->type_name("PASS.IMAGE");
@@ -135,6 +182,8 @@ void add_inspection_options(CLI::App* command, const std::shared_ptr<Options>& o
   dump->needs(dump_to);
   dump_to->needs(dump);
   view->excludes(dump);
+  // These are of one frame.
+  command->get_option("--frames")->excludes(dump)->excludes(list_views);
   command->add_flag("--scan", options->scan,
                     "Search all passes for NaN, infinite and negative light");
   command->add_flag("--validate", options->validate, "Let Vulkan's validation layer watch");
@@ -147,7 +196,9 @@ void add_render(CLI::App& program, Outcome& outcome) {
   auto options = std::make_shared<Options>();
   add_scene_argument(*command, options->scene);
   add_limit_option(*command, options->limits);
-  command->add_option("-o,--output", options->outputs, "Picture, .png or .exr; may be repeated")
+  command
+      ->add_option("-o,--output", options->outputs,
+                   "Picture, .png or .exr, or video; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_technique_options(*command, options->technique);

@@ -33,14 +33,12 @@ Result<void> check_folder(const fs::path& path, const fs::path& folder) {
 }
 
 Result<Destination> check_destination(const std::string& text, Extent size) {
-  Destination destination{text, FileKind::png};
-  const std::string ending = ending_of(destination.path);
+  const Destination destination = destination_of(text);
   const uint64_t pixels = uint64_t{size.width} * size.height;
   uint64_t most_pixels = kMaxPngPixels;
-  if (ending == ".exr") {
-    destination.kind = FileKind::exr;
+  if (destination.kind == FileKind::exr) {
     most_pixels = kMaxExrSamples / kExrChannels;
-  } else if (ending != ".png") {
+  } else if (ending_of(destination.path) != ".png") {
     return Error{ErrorKind::usage, "-o '" + text + "': the name has to end in .png or .exr"};
   }
   if (pixels > most_pixels)
@@ -52,6 +50,10 @@ Result<Destination> check_destination(const std::string& text, Extent size) {
 }
 
 }  // namespace
+
+Destination destination_of(const fs::path& path) {
+  return {path, ending_of(path) == ".exr" ? FileKind::exr : FileKind::png};
+}
 
 Result<std::vector<Destination>> check_destinations(const std::vector<std::string>& paths,
                                                     Extent size) {

@@ -19,6 +19,9 @@ struct Destination {
   FileKind kind = FileKind::png;
 };
 
+// By the path's ending: .exr, or else a PNG.
+Destination destination_of(const std::filesystem::path& path);
+
 // The paths of -o. Fails with ErrorKind::usage on endings other than .png and .exr, a path given
 // twice and a picture too large for its format, with ErrorKind::output on folders that are missing
 // or not writable.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "arguments.h"
 #include "base/try.h"
 #include "image/exr.h"
 #include "image/png.h"
@@ -21,15 +22,28 @@ Result<void> write_as_is(const std::filesystem::path& path, const Pixels& pixels
   return write_exr(path, layers, options);
 }
 
+Image8 composed_picture(std::span<const Pixels> pixels, const Development& development) {
+  return to_display(as_image(*find_pixels(pixels, "composed"), 3), development.exposure_ev,
+                    development.tone_map);
+}
+
+Result<const Pixels*> find_view(const std::string& view, const FrameRecord& frame) {
+  if (const Pixels* pixels = find_pixels(frame.pixels, view)) return pixels;
+  if (std::find(frame.written.begin(), frame.written.end(), view) != frame.written.end())
+    return Error{ErrorKind::usage, "--view " + view +
+                                       ": a cube map; only flat images can "
+                                       "be shown, see --list-views"};
+  return Error{ErrorKind::usage,
+               "--view " + view + ": no such image; this frame has " + joined(frame.written)};
+}
+
 }  // namespace
 
 Result<void> write_pictures(const std::vector<Destination>& destinations,
                             std::span<const Pixels> pixels, const Development& development) {
   for (const Destination& destination : destinations) {
     if (destination.kind == FileKind::png) {
-      const ImageF composed = as_image(*find_pixels(pixels, "composed"), 3);
-      LUEUR_TRY_VOID(write_png(
-          destination.path, to_display(composed, development.exposure_ev, development.tone_map)));
+      LUEUR_TRY_VOID(write_png(destination.path, composed_picture(pixels, development)));
     } else {
       LUEUR_TRY_VOID(write_exr(destination.path, exr_layers(pixels, development.near_m),
                                {.attributes = development.attributes}));
@@ -38,17 +52,26 @@ Result<void> write_pictures(const std::vector<Destination>& destinations,
   return {};
 }
 
-Result<void> write_view(const std::vector<Destination>& destinations, const Pixels& view,
-                        const Development& development) {
+Result<void> write_frame(const std::string& view, const std::vector<Destination>& destinations,
+                         const FrameRecord& frame, const Development& development) {
+  if (view.empty()) return write_pictures(destinations, frame.pixels, development);
+  LUEUR_TRY(image, find_view(view, frame));
   for (const Destination& destination : destinations) {
     if (destination.kind == FileKind::png) {
-      LUEUR_TRY_VOID(write_png(destination.path,
-                               view_picture(view, development.exposure_ev, development.tone_map)));
+      LUEUR_TRY_VOID(write_png(
+          destination.path, view_picture(*image, development.exposure_ev, development.tone_map)));
     } else {
-      LUEUR_TRY_VOID(write_as_is(destination.path, view, development));
+      LUEUR_TRY_VOID(write_as_is(destination.path, *image, development));
     }
   }
   return {};
+}
+
+Result<Image8> shown(const std::string& view, const FrameRecord& frame,
+                     const Development& development) {
+  if (view.empty()) return composed_picture(frame.pixels, development);
+  LUEUR_TRY(image, find_view(view, frame));
+  return view_picture(*image, development.exposure_ev, development.tone_map);
 }
 
 Result<std::vector<std::string>> write_dumps(const std::filesystem::path& folder,

@@ -11,6 +11,7 @@
 #include "destination.h"
 #include "frame/recorder.h"
 #include "image/tone_map.h"
+#include "session.h"
 
 namespace lueur::cli {
 
@@ -25,9 +26,14 @@ struct Development {
 Result<void> write_pictures(const std::vector<Destination>& destinations,
                             std::span<const Pixels> pixels, const Development& development);
 
-// One image of a pass: as PNG by view_picture(), as EXR the values as they are.
-Result<void> write_view(const std::vector<Destination>& destinations, const Pixels& view,
-                        const Development& development);
+// What a frame is asked to show: its picture, written as above, or where `view` names an image
+// "pass.image" that one: as PNG by view_picture(), as EXR the values as they are. Fails with
+// ErrorKind::usage when the frame has no such image, or one that cannot be shown.
+Result<void> write_frame(const std::string& view, const std::vector<Destination>& destinations,
+                         const FrameRecord& frame, const Development& development);
+// The same as PNG would hold it.
+Result<Image8> shown(const std::string& view, const FrameRecord& frame,
+                     const Development& development);
 
 // Every image "pass.image" in `pixels` as `folder`/pass.image.exr, the values as they are; the
 // second one of a name as pass.image.2.exr. Returns the paths.
