@@ -75,6 +75,7 @@ std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m) {
   add_as_is("indirect", "indirect", 3);
   if (const Pixels* indirect = pixels("indirect"))
     layers.push_back({"off_screen", alpha(*indirect)});
+  add_as_is("indirect_specular", "indirect_specular", 3);
   add_as_is("albedo", "albedo", 3);
   if (const Pixels* normal = pixels("normal"); normal && depth)
     layers.push_back({"normal", world_normal(*normal, *depth)});

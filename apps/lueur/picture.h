@@ -13,7 +13,7 @@
 namespace lueur::cli {
 
 // Channels of all layers that exr_layers() makes.
-inline constexpr uint32_t kExrChannels = 31;
+inline constexpr uint32_t kExrChannels = 34;
 
 // The image of this name, or nullptr.
 const Pixels* find_pixels(std::span<const Pixels> all, std::string_view name);
@@ -26,6 +26,7 @@ ImageF as_image(const Pixels& pixels, uint32_t channels);
 //   direct      source + specular: what there is without a technique
 //   indirect    the technique's E/pi, before albedo, and
 //   off_screen  its alpha: for `hierarchical` the share of samples outside of the picture
+//   indirect_specular  the technique's radiance through glossy lobes
 //   albedo      diffuse, linear
 //   normal      unit, world space; 0 where nothing is
 //   depth       distance along the optical axis in metres; 0 where nothing is

@@ -96,11 +96,17 @@ std::vector<PassTime> summed_by_name(const std::vector<PassTime>& passes) {
 
 Image image_named(const RenderedImages& images, std::string_view name) {
   constexpr std::pair<std::string_view, Image RenderedImages::*> kImages[] = {
-      {"depth", &RenderedImages::depth},       {"normal", &RenderedImages::normal},
-      {"albedo", &RenderedImages::albedo},     {"material", &RenderedImages::material},
-      {"emission", &RenderedImages::emission}, {"motion", &RenderedImages::motion},
-      {"source", &RenderedImages::source},     {"specular", &RenderedImages::specular},
-      {"indirect", &RenderedImages::indirect}, {"composed", &RenderedImages::composed}};
+      {"depth", &RenderedImages::depth},
+      {"normal", &RenderedImages::normal},
+      {"albedo", &RenderedImages::albedo},
+      {"material", &RenderedImages::material},
+      {"emission", &RenderedImages::emission},
+      {"motion", &RenderedImages::motion},
+      {"source", &RenderedImages::source},
+      {"specular", &RenderedImages::specular},
+      {"indirect", &RenderedImages::indirect},
+      {"indirect_specular", &RenderedImages::indirect_specular},
+      {"composed", &RenderedImages::composed}};
   for (const auto& [known, image] : kImages)
     if (known == name) return images.*image;
   return {};

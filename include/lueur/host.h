@@ -43,6 +43,8 @@ class Host {
   virtual ~Host() = default;
 
   // The G-buffer of what `view` sees, `extent` pixels large; invalid images if the engine cannot.
+  // `view` may stand anywhere and be off-centre, but its projection has reversed z and an infinite
+  // far plane (clip z = near, clip w = -z), so that engines draw it with the state they have.
   // With a light's index, `source` holds the diffuse reflection of that light alone, without
   // emission.
   virtual GBuffer render_view(Frame& frame, const View& view, Extent extent,

@@ -36,11 +36,12 @@ bool matches(std::string_view pattern, std::string_view text) {
   return p == pattern.size();
 }
 
-// Depth, normals and motion may be negative; light may not.
+// Normals, motion and the numbers of lobes may be negative; light may not.
 bool may_be_negative(std::string_view image_name) {
   return image_name.find("normal") != std::string_view::npos ||
          image_name.find("geometry") != std::string_view::npos ||
-         image_name.find("motion") != std::string_view::npos;
+         image_name.find("motion") != std::string_view::npos ||
+         image_name.find("reflectance") != std::string_view::npos;
 }
 
 float decode(const std::byte* channel, Format format) {

@@ -64,10 +64,13 @@ TEST(RendererLayout, Background) {
 }
 
 TEST(RendererLayout, SurfaceAndComposition) {
-  for (const gpu::ShaderCode* code :
-       {&shaders::renderer_surface_comp, &shaders::renderer_compose_comp})
-    expect_layout(*code, "push", sizeof(ComposeParams),
-                  {LUEUR_MEMBER(ComposeParams, extent), LUEUR_MEMBER(ComposeParams, has_indirect)});
+  expect_layout(shaders::renderer_surface_comp, "push", sizeof(SurfaceParams),
+                {LUEUR_MEMBER(SurfaceParams, extent), LUEUR_MEMBER(SurfaceParams, has_emission)});
+  expect_layout(shaders::renderer_reflectance_comp, "push", sizeof(ReflectanceParams),
+                {LUEUR_MEMBER(ReflectanceParams, extent)});
+  expect_layout(shaders::renderer_compose_comp, "push", sizeof(ComposeParams),
+                {LUEUR_MEMBER(ComposeParams, extent), LUEUR_MEMBER(ComposeParams, has_indirect),
+                 LUEUR_MEMBER(ComposeParams, has_indirect_specular)});
 }
 
 }  // namespace

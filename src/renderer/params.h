@@ -84,9 +84,19 @@ struct LightParams {
   float texel_m;
 };
 
+struct SurfaceParams {
+  ivec2 extent;
+  uint has_emission;
+};
+
+struct ReflectanceParams {
+  ivec2 extent;
+};
+
 struct ComposeParams {
   ivec2 extent;
   uint has_indirect;
+  uint has_indirect_specular;
 };
 
 // The direction of a pixel in the environment's picture is corner + x step_x + y step_y.

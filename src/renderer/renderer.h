@@ -2,9 +2,12 @@
 // The example host: a deferred renderer that calls techniques as any engine would.
 //
 // Each frame: G-buffer -> shadow maps -> direct light (diffuse source radiance and specular apart)
-// -> technique -> composition `direct + albedo * indirect + specular` -> the environment where
-// there is no surface. The environment's light upon surfaces is indirect and left to techniques:
-// like the light of all that glows, it is in none of the images of direct light.
+// -> technique -> composition `source + albedo * indirect + specular + indirect specular` -> the
+// environment where there is no surface. The environment's light upon surfaces is indirect and left
+// to techniques: like the light of all that glows, it is in none of the images of direct light.
+//
+// A technique gets all that lueur/technique.h offers but side views; `emission` is valid if any
+// material of the scene emits.
 #pragma once
 
 #include <memory>
@@ -24,6 +27,10 @@ struct Shot {
   float time_s = 0;
   float previous_time_s = 0;  // of the frame before, for motion vectors
   uint32_t seed = 0;
+  // Techniques shall keep nothing of the frame before. The renderer knows by itself that a frame is
+  // the first of its history (RecorderOptions::history_of), or that the last one had another camera
+  // or extent; that the scene has jumped, only the program knows.
+  bool cut = false;
 };
 
 // The view of the shot's camera: reversed z, infinitely far plane.
@@ -31,16 +38,17 @@ View view_of(const Scene& scene, const Shot& shot);
 
 // All images of one frame, W x H; linear Rec.709 where they hold light (cd/m² for glTF scenes).
 struct RenderedImages {
-  Image depth;     // d32f, reversed z, infinitely far plane, 0 where nothing is
-  Image normal;    // rg16_snorm, octahedral, world space
-  Image albedo;    // rgba16f: diffuse albedo, base colour * (1 - metallic)
-  Image material;  // rgba8: r metallic, g perceptual roughness, b share of dielectric F0
-  Image emission;  // rgba16f: emitted radiance
-  Image motion;    // rg16f: UV now minus UV in the previous frame
-  Image source;    // rgba16f: diffuse direct radiance + emission; what the technique gets
-  Image specular;  // rgba16f: specular direct radiance
-  Image indirect;  // rgba16f: E/pi from the technique; invalid without one
-  Image composed;  // rgba16f: the picture, scene-referred
+  Image depth;              // d32f, reversed z, infinitely far plane, 0 where nothing is
+  Image normal;             // rg16_snorm, octahedral, world space
+  Image albedo;             // rgba16f: diffuse albedo, base colour * (1 - metallic)
+  Image material;           // rgba8: r metallic, g perceptual roughness, b share of dielectric F0
+  Image emission;           // rgba16f: emitted radiance
+  Image motion;             // rg16f: UV now minus UV in the previous frame
+  Image source;             // rgba16f: diffuse direct radiance + emission; what the technique gets
+  Image specular;           // rgba16f: specular direct radiance
+  Image indirect;           // rgba16f: E/pi from the technique; invalid without one
+  Image indirect_specular;  // rgba16f: radiance from the technique; invalid if it gives none
+  Image composed;           // rgba16f: the picture, scene-referred
 };
 
 class Renderer {

@@ -233,9 +233,13 @@ class GivenLight final : public Technique {
     Outputs outputs;
     outputs.diffuse =
         frame.recorder().upload_image("given", extent, Format::rgba16f, halves.data());
+    if (gives_specular)
+      outputs.specular =
+          frame.recorder().upload_image("given_specular", extent, Format::rgba16f, halves.data());
     return outputs;
   }
   void* settings() override { return nullptr; }
+  bool gives_specular = false;
   static float value(size_t pixel, size_t channel) {
     return static_cast<float>((pixel * 7 + channel * 3) % 31) / 8.0f;
   }
@@ -247,8 +251,9 @@ TEST_F(SurfaceTest, ThePictureIsSourcePlusAlbedoTimesIndirectPlusSpecular) {
   scene.materials.back().emission = {0.25f, 0, 0};
   screen(scene, {0, 0, 0}, 0.9f, gloss);
   add_light(scene, LightKind::point, 5.0f, {0.5f, 0.5f, 1.0f});
-  GivenLight technique;
-  for (Technique* used : {static_cast<Technique*>(nullptr), static_cast<Technique*>(&technique)}) {
+  GivenLight technique, with_specular;
+  with_specular.gives_specular = true;
+  for (GivenLight* used : {static_cast<GivenLight*>(nullptr), &technique, &with_specular}) {
     render(scene, {.extent = kExtent}, used);
     double brightest_specular = 0;
     for (const PixelRay& ray : rays()) {
@@ -260,7 +265,11 @@ TEST_F(SurfaceTest, ThePictureIsSourcePlusAlbedoTimesIndirectPlusSpecular) {
         if (used) {
           ASSERT_EQ(at("indirect", ray)[c], indirect);
         }
-        const float exact = source[c] + albedo[c] * indirect + specular[c];
+        float exact = source[c] + albedo[c] * indirect + specular[c];
+        if (used && used->gives_specular) {
+          ASSERT_EQ(at("indirect_specular", ray)[c], indirect);
+          exact += indirect;
+        }
         ASSERT_NEAR(composed[c], exact, exact / 1024) << ray.x << ", " << ray.y;
       }
     }

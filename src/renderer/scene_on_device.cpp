@@ -135,10 +135,12 @@ Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& de
             gpu::Buffer::create(device, {.name = "vertices",
                                          .bytes = vertex_bytes.size(),
                                          .usage = VK_BUFFER_USAGE_VERTEX_BUFFER_BIT |
+                                                  VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                   VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
   LUEUR_TRY(index_buffer, gpu::Buffer::create(device, {.name = "indices",
                                                        .bytes = index_bytes.size(),
                                                        .usage = VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+                                                                VK_BUFFER_USAGE_STORAGE_BUFFER_BIT |
                                                                 VK_BUFFER_USAGE_TRANSFER_DST_BIT}));
   vertices_ = std::move(vertex_buffer);
   indices_ = std::move(index_buffer);
@@ -186,6 +188,7 @@ void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
     data.normal_place = placement(m.normal_texture);
     data.emission_place = placement(m.emission_texture);
     materials_.push_back(data);
+    emits_ |= m.unlit || glm::any(glm::greaterThan(m.emission, glm::vec3(0.0f)));
 
     const auto bound = [&](const char* name, const TextureUse& use,
                            const std::vector<gpu::Texture>& from) {

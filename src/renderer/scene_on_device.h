@@ -49,6 +49,8 @@ class SceneOnDevice {
 
   const gpu::Buffer& vertices() const { return vertices_; }
   const gpu::Buffer& indices() const { return indices_; }
+  // Whether any material emits light, or shows its colour as if it did.
+  bool emits() const { return emits_; }
   const std::vector<MaterialData>& materials() const { return materials_; }
   MaterialSet material_set(int32_t material) const {
     return material_sets_[static_cast<size_t>(material)];
@@ -84,6 +86,7 @@ class SceneOnDevice {
   gpu::Texture white_;
   std::vector<MaterialData> materials_;
   std::vector<MaterialSet> material_sets_;
+  bool emits_ = false;
 };
 
 // The vertex layouts of Scene's Vertex.

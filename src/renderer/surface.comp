@@ -15,7 +15,7 @@ layout(set = 0, binding = 2) uniform sampler2D emission;
 layout(set = 0, binding = 3, rgba16f) uniform writeonly image2D albedo;
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D source;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D specular;
-layout(push_constant, scalar) uniform Push { ComposeParams p; };
+layout(push_constant, scalar) uniform Push { SurfaceParams p; };
 
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
@@ -23,6 +23,7 @@ void main() {
   const vec4 color = texelFetch(base_color, pixel, 0);
   const float metallic = texelFetch(material, pixel, 0).r;
   imageStore(albedo, pixel, vec4(diffuse_albedo(color.rgb, metallic), color.a));
-  imageStore(source, pixel, vec4(texelFetch(emission, pixel, 0).rgb, color.a));
+  const vec3 emitted = p.has_emission != 0 ? texelFetch(emission, pixel, 0).rgb : vec3(0.0);
+  imageStore(source, pixel, vec4(emitted, color.a));
   imageStore(specular, pixel, vec4(0.0));
 }

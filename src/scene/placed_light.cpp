@@ -23,6 +23,7 @@ PlacedLight place(const Light& light, const glm::mat4& world_from_node) {
   if (light.kind != LightKind::spot) return placed;
   const float outer = std::clamp(light.outer_cone_rad, kNarrowestConeRad, kWidestConeRad);
   const float inner = std::clamp(light.inner_cone_rad, 0.0f, outer - 1e-3f);
+  placed.inner_cone_rad = inner;
   placed.outer_cone_rad = outer;
   placed.cone_scale = 1.0f / std::max(1e-3f, std::cos(inner) - std::cos(outer));
   placed.cone_offset = -std::cos(outer) * placed.cone_scale;

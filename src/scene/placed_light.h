@@ -11,7 +11,8 @@ struct PlacedLight {
   glm::vec3 position_world{0.0f};
   glm::vec3 direction_world{0.0f, -1.0f, 0.0f};  // unit: in which it shines (spot, directional)
   glm::vec3 intensity{0.0f};                     // cd or lux, times colour
-  float outer_cone_rad = 0.0f;                   // half angle, spot only
+  float inner_cone_rad = 0.0f;                   // half angles, spot only
+  float outer_cone_rad = 0.0f;
   // Of cone_attenuation(); 0 and 1, which is no attenuation, for all but spots.
   float cone_scale = 0.0f;
   float cone_offset = 1.0f;

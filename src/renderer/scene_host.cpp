@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/scene_host.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "base/check.h"
+#include "renderer/view_passes.h"
+#include "scene/placed_light.h"
+
+namespace lueur {
+namespace {
+
+std::array<float, 3> array_of(const glm::vec3& v) {
+  return {v.x, v.y, v.z};
+}
+
+PunctualLight::Kind kind_of(LightKind kind) {
+  switch (kind) {
+    case LightKind::point:
+      return PunctualLight::Kind::point;
+    case LightKind::spot:
+      return PunctualLight::Kind::spot;
+    case LightKind::directional:
+      return PunctualLight::Kind::directional;
+  }
+  return PunctualLight::Kind::point;
+}
+
+PunctualLight in_world(const Light& light, const glm::mat4& world_from_node) {
+  const PlacedLight placed = place(light, world_from_node);
+  return {.kind = kind_of(placed.kind),
+          .position = array_of(placed.position_world),
+          .direction = array_of(placed.direction_world),
+          .intensity = array_of(placed.intensity),
+          .inner_cone_rad = placed.inner_cone_rad,
+          .outer_cone_rad = placed.outer_cone_rad,
+          .range_m = light.range_m};
+}
+
+constexpr uint32_t floats(size_t bytes) {
+  return static_cast<uint32_t>(bytes / sizeof(float));
+}
+
+// Ranges of all that is drawn, in two batches: what lies where its mesh has it, and what skins and
+// morph targets have moved.
+std::vector<TriangleBatch> batches_of(const FrameScene& scene, BufferRef vertices,
+                                      BufferRef indices) {
+  TriangleBatch still{.vertices = vertices,
+                      .indices = indices,
+                      .first_float = floats(offsetof(Vertex, position)),
+                      .stride_floats = floats(sizeof(Vertex))};
+  TriangleBatch moved{.vertices = scene.deformed(),
+                      .indices = indices,
+                      .first_float = floats(offsetof(DeformedVertex, position)),
+                      .stride_floats = floats(sizeof(DeformedVertex))};
+  const FrameGeometry& geometry = scene.geometry();
+  for (const DrawItem& item : geometry.draws) {
+    for (uint32_t i = 0; i < item.instance_count; ++i) {
+      const InstanceData& instance = geometry.instances[item.first_instance + i];
+      const bool is_deformed = instance.is_deformed != 0;
+      TriangleRange range{
+          .first_index = item.first_index,
+          .index_count = item.index_count,
+          .vertex_offset = item.vertex_offset + (is_deformed ? instance.first_deformed : 0)};
+      std::copy_n(glm::value_ptr(instance.world_from_object), 16, range.world_from_object.begin());
+      (is_deformed ? moved : still).ranges.push_back(range);
+    }
+  }
+  std::vector<TriangleBatch> batches;
+  for (TriangleBatch* batch : {&still, &moved})
+    if (!batch->ranges.empty()) batches.push_back(std::move(*batch));
+  return batches;
+}
+
+}  // namespace
+
+SceneHost::SceneHost(FrameScene& frame_scene, const Scene& scene,
+                     const std::vector<glm::mat4>& world_from_node, const Bounds& box)
+    : scene_(frame_scene), bounds_{array_of(box.min), array_of(box.max)} {
+  for (const Light& light : scene.lights)
+    lights_.push_back(in_world(light, world_from_node[static_cast<size_t>(light.node)]));
+}
+
+GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent, int32_t light) {
+  const auto count = static_cast<int32_t>(lights_.size());
+  LUEUR_CHECK(light == kAllLights || (light >= 0 && light < count));
+  ViewPasses passes(scene_, "renderer.view", extent, view, view);
+  passes.show_surfaces(light == kAllLights);
+  for (int32_t i = 0; i < count; ++i)
+    if (light == kAllLights || light == i) passes.add_light(static_cast<size_t>(i));
+  GBuffer g = passes.g_buffer();
+  // The view of the frame before is not known.
+  g.motion = {};
+  passes.release_scratch();
+  return g;
+}
+
+std::span<const TriangleBatch> SceneHost::triangles(Frame& frame) {
+  if (batches_.empty()) {
+    // Uploaded before the first frame, and waited for.
+    const auto lent = [&](const gpu::Buffer& buffer) {
+      return frame.import(ExternalBuffer{.buffer = buffer.handle(), .bytes = buffer.bytes()});
+    };
+    batches_ =
+        batches_of(scene_, lent(scene_.on_device().vertices()), lent(scene_.on_device().indices()));
+  }
+  return batches_;
+}
+
+}  // namespace lueur

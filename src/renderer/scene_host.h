@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What the renderer does for techniques that ask for more than the camera's G-buffer.
+#pragma once
+
+#include <vector>
+
+#include "lueur/host.h"
+#include "renderer/frame_scene.h"
+#include "scene/scene.h"
+
+namespace lueur {
+
+// Of one frame. Views are drawn by passes named `renderer.view.…`.
+class SceneHost final : public Host {
+ public:
+  // `world_from_node` is the pose and `box` surrounds all that is drawn, both of this frame.
+  SceneHost(FrameScene& frame_scene, const Scene& scene,
+            const std::vector<glm::mat4>& world_from_node, const Bounds& box);
+
+  GBuffer render_view(Frame& frame, const View& view, Extent extent, int32_t light) override;
+  // In the order of Scene::lights.
+  std::span<const PunctualLight> lights() const override { return lights_; }
+  Box bounds() const override { return bounds_; }
+  std::span<const TriangleBatch> triangles(Frame& frame) override;
+
+ private:
+  FrameScene& scene_;
+  std::vector<PunctualLight> lights_;
+  Box bounds_;
+  std::vector<TriangleBatch> batches_;  // none before somebody asks
+};
+
+}  // namespace lueur

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+// What the renderer gives to techniques without being asked.
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+#include <optional>
+
+#include "renderer/asking_technique.h"
+#include "renderer/renderer_fixture.h"
+#include "scene/builtin/scene_builder.h"
+
+namespace lueur {
+namespace {
+
+// A wall that fills the view.
+Scene wall(const Material& material) {
+  Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0});
+  scene.materials.push_back(material);
+  add_quad(scene, {-4, -4, 0}, {8, 0, 0}, {0, 8, 0}, 1);
+  return scene;
+}
+
+class TechniqueInputsTest : public RendererTest {
+ protected:
+  Inputs inputs_for(const Scene& scene, const Shot& shot = {.extent = kExtent}) {
+    Inputs seen;
+    AskingTechnique technique([&](Frame& frame, const Inputs& inputs) {
+      seen = inputs;
+      const GBuffer& g = inputs.g_buffer;
+      for (const auto& [name, image] : {std::pair{"given_albedo", g.albedo},
+                                        {"given_motion", g.motion},
+                                        {"given_reflectance", g.reflectance},
+                                        {"given_emission", g.emission}})
+        if (image.valid()) frame.recorder().read_back(name, image);
+    });
+    render(scene, shot, &technique);
+    return seen;
+  }
+};
+
+TEST_F(TechniqueInputsTest, ReflectanceIsThatOfTheMaterial) {
+  Material material;
+  material.base_color = {1.0f, 0.5f, 0.25f, 1.0f};
+  material.metallic = 0.5f;
+  material.roughness = 0.4f;
+  material.specular = 0.5f;
+  inputs_for(wall(material));
+  const PixelRay middle = rays()[24 * 64 + 32];
+  const glm::vec4 reflectance = at("given_reflectance", middle);
+  // Half of a dielectric's 0.04, then half way to the base colour; 8 bits hold all numbers.
+  const float exact[] = {0.51f, 0.26f, 0.135f};
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflectance[c], exact[c], 0.004f) << c;
+  EXPECT_NEAR(reflectance.a, 0.4f, 0.51f / 255 + 2e-4f);
+  EXPECT_EQ(at("given_albedo", middle), at("albedo", middle));
+}
+
+TEST_F(TechniqueInputsTest, EmissionIsThereWhereSomethingEmits) {
+  Material material;
+  material.metallic = 0;
+  EXPECT_FALSE(inputs_for(wall(material)).g_buffer.emission.valid());
+  material.emission = {0, 0, 2};
+  EXPECT_TRUE(inputs_for(wall(material)).g_buffer.emission.valid());
+  EXPECT_EQ(at("given_emission", rays()[0]), glm::vec4(0, 0, 2, 1));
+  material.emission = {};
+  material.unlit = true;
+  EXPECT_TRUE(inputs_for(wall(material)).g_buffer.emission.valid());
+}
+
+TEST_F(TechniqueInputsTest, MotionLeadsToThePreviousView) {
+  Scene scene = wall({});
+  AnimationChannel channel;
+  channel.node = scene.cameras[0].node;
+  channel.times_s = {0.0f, 1.0f};
+  channel.values = {{0, 0, 3, 0}, {1, 0, 3, 0}};
+  scene.animation.push_back(channel);
+  const Shot shot{.extent = kExtent, .time_s = 0.5f, .previous_time_s = 0.25f};
+  const Inputs inputs = inputs_for(scene, shot);
+  EXPECT_EQ(inputs.view.view_from_world, view_of(scene, shot).view_from_world);
+  const View before = view_of(scene, {.extent = kExtent, .time_s = 0.25f});
+  EXPECT_EQ(inputs.previous_view.view_from_world, before.view_from_world);
+  EXPECT_EQ(inputs.previous_view.clip_from_view, before.clip_from_view);
+  for (const PixelRay& ray : rays()) {
+    // The wall's point that is seen here now, in the picture before.
+    const auto p = meet_plane(ray, {}, {0, 0, 1});
+    ASSERT_TRUE(p);
+    const glm::vec4 clip = glm::make_mat4(inputs.previous_view.clip_from_view.data()) *
+                           glm::make_mat4(inputs.previous_view.view_from_world.data()) *
+                           glm::vec4(glm::vec3(*p), 1.0f);
+    const float uv_before = 0.5f + 0.5f * clip.x / clip.w;
+    const float uv_now = (static_cast<float>(ray.x) + 0.5f) / kExtent.width;
+    ASSERT_NEAR(at("given_motion", ray).x, uv_now - uv_before, 1e-4f);
+  }
+}
+
+// A cut is what the program says, the first frame, and a change of camera or extent; each history
+// has its own.
+TEST_F(TechniqueInputsTest, CutsAreToldAndSeen) {
+  Scene scene = wall({});
+  scene.cameras.push_back(scene.cameras[0]);
+  auto renderer = Renderer::create(system(), context(), scene);
+  ASSERT_TRUE(renderer.ok());
+  const auto is_cut = [&](const Shot& shot, const char* history) {
+    std::optional<bool> cut;
+    AskingTechnique technique([&](Frame&, const Inputs& inputs) { cut = inputs.cut; });
+    recorder().options.history_of = history;
+    run([&](Frame& frame) { (*renderer)->record(frame, shot, &technique); });
+    return cut.value();
+  };
+  const Shot shot{.extent = {8, 8}};
+  EXPECT_TRUE(is_cut(shot, "a"));
+  EXPECT_FALSE(is_cut(shot, "a"));
+  EXPECT_TRUE(is_cut(shot, "b"));
+  EXPECT_FALSE(is_cut(shot, "a"));
+  EXPECT_TRUE(is_cut({.extent = {8, 8}, .cut = true}, "a"));
+  EXPECT_FALSE(is_cut(shot, "a"));
+  EXPECT_TRUE(is_cut({.extent = {8, 4}}, "a"));
+  EXPECT_FALSE(is_cut({.extent = {8, 4}}, "a"));
+  EXPECT_TRUE(is_cut({.extent = {8, 4}, .camera = 1}, "a"));
+  EXPECT_FALSE(is_cut({.extent = {8, 4}, .camera = 1}, "a"));
+  EXPECT_FALSE(is_cut(shot, "b"));
+}
+
+}  // namespace
+}  // namespace lueur

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The passes that show one view of the scene up to its direct light: G-buffer -> surface -> each
+// light. The frame's camera goes through them, and each view that a technique asks for.
+#pragma once
+
+#include <string>
+
+#include "renderer/frame_scene.h"
+#include "renderer/renderer.h"
+
+namespace lueur {
+
+inline ivec2 as_ivec2(Extent e) {
+  return ivec2(e.width, e.height);
+}
+
+class ViewPasses {
+ public:
+  // Passes are called `name`.g_buffer and so on. `view_before` is what motion leads to.
+  ViewPasses(FrameScene& scene, std::string name, Extent extent, const View& view,
+             const View& view_before);
+
+  // G-buffer and surface. Without `emission`, nothing glows.
+  void show_surfaces(bool emission);
+  // Adds one light's direct light.
+  void add_light(size_t light);
+  // What a technique gets. Before release_surfaces().
+  GBuffer g_buffer();
+  // Images that are neither in images() nor in g_buffer().
+  void release_surfaces();
+  // And those that are not in g_buffer(): for views that nobody else looks at.
+  void release_scratch();
+
+  // As far as they are made: all but what comes from a technique.
+  const RenderedImages& images() const { return images_; }
+
+ private:
+  void draw_g_buffer();
+  bool gives_emission() const;
+
+  FrameScene& scene_;
+  Recorder& frame_;
+  std::string name_;
+  Extent extent_;
+  View view_;
+  View view_before_;
+  bool emission_ = true;
+  RenderedImages images_{};
+  Image base_color_{};  // rgba8_srgb
+};
+
+}  // namespace lueur
