@@ -66,6 +66,8 @@ TEST_F(Cli, UsageErrorsAreOneLine) {
       {"--device", "99"},       {"--view", "no.image"},   {"--frobnicate", "1"}};
   for (const auto& [flag, value] : values)
     expect_error(2, {"render", "cornell", "-o", "x.png", "--size", "8x8", flag, value}, flag);
+  expect_error(2, {"render", "cornell", "-o", "x.png", "--preset", "slow"}, "fast, balanced");
+  expect_error(2, {"bench", "--techniques", "none", "--preset", "fast"}, "--preset");
   expect_error(2, {"render", "cornell", "--dump", "*"}, "--dump-to");
   expect_error(2, {"render", "cornell", "--size", "8x8", "--dump", "no.*", "--dump-to", "passes"},
                "no.*");
@@ -187,6 +189,19 @@ TEST_F(Cli, RenderReport) {
   const double rounding_ms = 1e-6 * static_cast<double>(json["passes"].size());
   EXPECT_NEAR(json["technique_ms"].get<double>(), technique_ms, rounding_ms);
   EXPECT_NEAR(json["frame_ms"].get<double>(), frame_ms, rounding_ms);
+}
+
+// A preset is settings, whichever way it is asked for.
+TEST_F(Cli, Presets) {
+  const auto techniques = nlohmann::json::parse(run({"techniques", "--json"}).out);
+  const auto& presets = techniques["techniques"][0]["presets"];
+  ASSERT_EQ(presets[0]["name"], "fast");
+  const Ended ended = render({"--json", "--preset", "fast", "--set", "samples=8"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const auto settings = nlohmann::json::parse(ended.out)["settings"];
+  for (const auto& [name, value] : presets[0]["settings"].items())
+    EXPECT_EQ(settings[name], name == "samples" ? nlohmann::json(8) : value) << name;
+  EXPECT_NE(run({"techniques"}).out.find("--preset fast"), std::string::npos);
 }
 
 TEST_F(Cli, TechniqueNone) {

@@ -38,7 +38,7 @@ struct Plan {
 
 Result<std::vector<ChosenTechnique>> chosen_techniques(const Options& options) {
   if (options.techniques) return choose_techniques("--techniques", *options.techniques);
-  LUEUR_TRY(technique, choose_technique(options.technique.name, options.technique.settings));
+  LUEUR_TRY(technique, check(options.technique));
   std::vector<ChosenTechnique> one;
   one.push_back(std::move(technique));
   return one;
@@ -109,7 +109,8 @@ constexpr char kFooter[] =
     "a technique is what a frame needs with it and not without it.\n"
     "\n"
     "--techniques takes entries NAME:KEY=VALUE:KEY=VALUE, separated by commas, none being direct\n"
-    "light only. --scale takes pixels (values WxH), triangles (of atrium) or a setting that is a\n"
+    "light only; preset=NAME comes before settings that change it. --scale takes pixels (values "
+    "WxH), triangles (of atrium) or a setting that is a\n"
     "number, with values or, for pixels, triangles, samples and levels, without. It fits\n"
     "time ~ value^exponent to the technique and to each group of passes, and time = a + b * "
     "value.\n"
@@ -135,6 +136,7 @@ void add_bench(CLI::App& program, Outcome& outcome) {
   command->add_option("--techniques", options->techniques, "Several techniques, timed in turn")
       ->type_name("LIST")
       ->excludes("--technique")
+      ->excludes("--preset")
       ->excludes("--set");
   add_frame_options(*command, options->frame);
   command->add_option("--frames", options->frames, "Frames to time (default 10)")->type_name("N");

@@ -89,7 +89,7 @@ Result<RenderJob> check(const Options& options) {
   job.tone_map_name = options.tone_map;
   LUEUR_TRY(exposure, parse_exposure(options.exposure));
   job.exposure = exposure;
-  LUEUR_TRY(technique, choose_technique(options.technique.name, options.technique.settings));
+  LUEUR_TRY(technique, check(options.technique));
   job.technique = std::move(technique);
   LUEUR_TRY_VOID(check_frames(options, job));
   if (!job.dump_to.empty()) LUEUR_TRY_VOID(make_folder(job.dump_to));

@@ -34,6 +34,7 @@ std::string command_of(const Options& options) {
     command += std::string(" ") + flag + " " + shell_quoted(value);
   };
   add("--technique", options.technique.name);
+  if (!options.technique.preset.empty()) add("--preset", options.technique.preset);
   for (const std::string& setting : options.technique.settings) add("--set", setting);
   add("--size", options.size);
   add("--time", options.time_s);
@@ -54,7 +55,7 @@ Result<SheetJob> check(const Options& options) {
                                        std::to_string(kMaxPngPixels) + " pixels"};
   LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
   job.time_s = time_s;
-  LUEUR_TRY(technique, choose_technique(options.technique.name, options.technique.settings));
+  LUEUR_TRY(technique, check(options.technique));
   job.technique = std::move(technique);
   job.all_cameras = options.all_cameras;
   job.device = options.device;

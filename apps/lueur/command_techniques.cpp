@@ -4,6 +4,7 @@
 #include <memory>
 #include <sstream>
 
+#include "base/check.h"
 #include "base/try.h"
 #include "commands.h"
 #include "console.h"
@@ -41,6 +42,17 @@ Json setting_json(const SettingInfo& row, const void* settings) {
   return json;
 }
 
+// Its settings, each as JSON's own kind.
+Json preset_json(const TechniqueInfo& info, const Preset& preset) {
+  const auto technique = info.make();
+  LUEUR_CHECK(apply_preset(info, preset.name, technique->settings()).ok());
+  Json settings = Json::object();
+  for (const auto& [name, text] : preset.settings)
+    for (const SettingInfo& row : info.settings)
+      if (row.name == name) settings[std::string(name)] = setting_value(row, technique->settings());
+  return {{"name", preset.name}, {"summary", preset.summary}, {"settings", settings}};
+}
+
 std::string as_text() {
   std::ostringstream out;
   for (const TechniqueInfo& info : techniques()) {
@@ -49,6 +61,11 @@ std::string as_text() {
     for (const SettingInfo& row : info.settings)
       out << "  --set " << row.name << "=" << to_text(row, technique->settings()) << "  ("
           << range_text(row) << ")\n      " << row.summary << "\n";
+    for (const Preset& preset : info.presets) {
+      out << "  --preset " << preset.name << "\n      " << preset.summary;
+      for (const auto& [name, text] : preset.settings) out << " " << name << "=" << text;
+      out << "\n";
+    }
   }
   return out.str();
 }
@@ -60,10 +77,13 @@ Json as_json() {
     Json settings = Json::array();
     for (const SettingInfo& row : info.settings)
       settings.push_back(setting_json(row, technique->settings()));
+    Json presets = Json::array();
+    for (const Preset& preset : info.presets) presets.push_back(preset_json(info, preset));
     list.push_back({{"name", info.name},
                     {"summary", info.summary},
                     {"source", info.source},
-                    {"settings", settings}});
+                    {"settings", settings},
+                    {"presets", presets}});
   }
   return {{"techniques", list}};
 }

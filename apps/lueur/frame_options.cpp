@@ -29,9 +29,15 @@ void add_technique_options(CLI::App& command, TechniqueOptions& options) {
       .add_option("--technique", options.name,
                   "Of `lueur techniques`, or none (default hierarchical)")
       ->type_name("NAME");
+  command.add_option("--preset", options.preset, "Settings that go together; --set goes on top")
+      ->type_name("NAME");
   command.add_option("--set", options.settings, "A setting of the technique; may be repeated")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+Result<ChosenTechnique> check(const TechniqueOptions& options) {
+  return choose_technique(options.name, options.settings, options.preset);
 }
 
 void add_object_option(CLI::App& command, std::string& scene) {

@@ -9,6 +9,7 @@
 #include "environment_choice.h"
 #include "lueur/image.h"
 #include "lueur/result.h"
+#include "technique_list.h"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): the library's own
 class App;
@@ -26,6 +27,7 @@ struct FrameOptions {
 };
 struct TechniqueOptions {
   std::string name = "hierarchical";
+  std::string preset;
   std::vector<std::string> settings;
 };
 
@@ -34,8 +36,9 @@ void add_view_options(CLI::App& command, FrameOptions& options);
 // Those and --device.
 void add_frame_options(CLI::App& command, FrameOptions& options);
 
-// --technique, --set; choose_technique() checks them.
+// --technique, --preset, --set.
 void add_technique_options(CLI::App& command, TechniqueOptions& options);
+Result<ChosenTechnique> check(const TechniqueOptions& options);
 
 // --object, which writes its file into `scene` as that parameter of a built-in scene. To be added
 // after the option that fills `scene`.

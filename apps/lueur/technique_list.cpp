@@ -9,6 +9,8 @@
 namespace lueur::cli {
 namespace {
 
+constexpr std::string_view kPresetKey = "preset=";
+
 Result<ChosenTechnique> choose(const std::string& name, const std::string& where) {
   ChosenTechnique chosen;
   if (name == "none") return chosen;
@@ -23,19 +25,42 @@ Result<ChosenTechnique> choose(const std::string& name, const std::string& where
   return chosen;
 }
 
+// The first thing that is done to `chosen`, as it decides all settings. The error begins with
+// `where` and "preset".
+Result<void> put_preset(ChosenTechnique& chosen, const std::string& where,
+                        const std::string& preset) {
+  if (!chosen.info)
+    return Error{ErrorKind::usage, where + "preset '" + preset +
+                                       "': the technique none has no presets; leave it out"};
+  const auto applied = apply_preset(*chosen.info, preset, chosen.technique->settings());
+  if (!applied.ok()) return Error{applied.error().kind, where + applied.error().message};
+  chosen.label += ":" + std::string(kPresetKey) + preset;
+  return {};
+}
+
 // One entry of a list.
 Result<ChosenTechnique> choose_entry(const std::string& entry, const std::string& where) {
   const std::vector<std::string> parts = split(entry, ':');
   LUEUR_TRY(chosen, choose(parts.front(), where));
-  for (size_t i = 1; i < parts.size(); ++i) LUEUR_TRY_VOID(change(chosen, where + ":", parts[i]));
+  for (size_t i = 1; i < parts.size(); ++i) {
+    if (!parts[i].starts_with(kPresetKey)) {
+      LUEUR_TRY_VOID(change(chosen, where + ":", parts[i]));
+    } else if (i == 1) {
+      LUEUR_TRY_VOID(put_preset(chosen, where + ": ", parts[i].substr(kPresetKey.size())));
+    } else {
+      return Error{ErrorKind::usage, where + ": write the preset first; settings go on top of it"};
+    }
+  }
   return std::move(chosen);
 }
 
 }  // namespace
 
 Result<ChosenTechnique> choose_technique(const std::string& name,
-                                         const std::vector<std::string>& settings) {
+                                         const std::vector<std::string>& settings,
+                                         const std::string& preset) {
   LUEUR_TRY(chosen, choose(name, "--technique '" + name + "'"));
+  if (!preset.empty()) LUEUR_TRY_VOID(put_preset(chosen, "--", preset));
   for (const std::string& text : settings) LUEUR_TRY_VOID(change(chosen, "--set", text));
   return std::move(chosen);
 }

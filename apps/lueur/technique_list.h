@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Techniques with settings, chosen by what a user typed: one by --technique and --set, or several
-// by a list such as `hierarchical,hierarchical:samples=32:start=full,none`.
+// Techniques with settings, chosen by what a user typed: one by --technique, --preset and --set, or
+// several by a list such as `hierarchical,hierarchical:preset=fast:samples=32,none`.
 #pragma once
 
 #include <memory>
@@ -19,12 +19,15 @@ struct ChosenTechnique {
   std::string name() const { return info ? std::string(info->name) : "none"; }
 };
 
-// One technique. `settings` are "key=value" texts as they came with --set.
+// One technique. `settings` are "key=value" texts as they came with --set, `preset` the name of the
+// preset on top of which they go, or "".
 Result<ChosenTechnique> choose_technique(const std::string& name,
-                                         const std::vector<std::string>& settings);
+                                         const std::vector<std::string>& settings,
+                                         const std::string& preset = "");
 
 // Entries `name:key=value:key=value`, separated by commas, in their order; at least one, each given
-// once. No value holds a comma or a colon. The error (ErrorKind::usage) names `flag` and the entry.
+// once. The first key may be `preset`. No value holds a comma or a colon. The error
+// (ErrorKind::usage) names `flag` and the entry.
 Result<std::vector<ChosenTechnique>> choose_techniques(std::string_view flag,
                                                        std::string_view list);
 

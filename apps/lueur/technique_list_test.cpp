@@ -39,6 +39,14 @@ TEST(TechniqueList, ErrorsNameFlagAndEntry) {
       {"hierarchical:=8", "--techniques 'hierarchical:=8': '=8'"},
       {"none,hierarchical:samples=0", "--techniques 'hierarchical:samples=0': samples=0"},
       {"hierarchical:depth=1", "--techniques 'hierarchical:depth=1': depth"},
+      {"hierarchical:preset=fast:depth=1",
+       "--techniques 'hierarchical:preset=fast:depth=1': depth"},
+      {"hierarchical:preset=slow", "--techniques 'hierarchical:preset=slow': preset 'slow'"},
+      {"hierarchical:preset=", "--techniques 'hierarchical:preset=': preset ''"},
+      {"hierarchical:samples=8:preset=fast",
+       "--techniques 'hierarchical:samples=8:preset=fast': write the preset first"},
+      {"none:preset=fast",
+       "--techniques 'none:preset=fast': preset 'fast': the technique none has no presets"},
       {"none:samples=8", "--techniques 'none:samples=8': samples=8"},
       {"hierarchical,none,hierarchical", "--techniques 'hierarchical' is given twice"}};
   for (const auto& [text, part] : lists) {
@@ -57,6 +65,25 @@ TEST(TechniqueList, OneTechniqueByItsFlags) {
   EXPECT_EQ(chosen->label, "hierarchical:samples=8:samples=16");
   EXPECT_TRUE(choose_technique("magic", {}).error().message.starts_with("--technique 'magic'"));
   EXPECT_TRUE(choose_technique("none", {"a=1"}).error().message.starts_with("--set a=1"));
+}
+
+TEST(TechniqueList, SettingsGoOnTopOfAPreset) {
+  const auto list = choose_techniques("--techniques", "hierarchical:preset=fast:samples=32");
+  ASSERT_TRUE(list.ok()) << list.error().message;
+  const HierarchicalSettings& listed = settings_of(list->front());
+  EXPECT_EQ(list->front().label, "hierarchical:preset=fast:samples=32");
+  EXPECT_EQ(listed.samples, 32);
+  EXPECT_EQ(listed.start, HierarchicalSettings::Start::quarter);
+
+  const auto flagged = choose_technique("hierarchical", {"samples=32"}, "fast");
+  ASSERT_TRUE(flagged.ok()) << flagged.error().message;
+  EXPECT_EQ(flagged->label, list->front().label);
+  EXPECT_EQ(settings_of(*flagged).samples, 32);
+  EXPECT_EQ(settings_of(*flagged).start, HierarchicalSettings::Start::quarter);
+  EXPECT_TRUE(choose_technique("hierarchical", {}, "slow")
+                  .error()
+                  .message.starts_with("--preset 'slow': hierarchical has the presets "));
+  EXPECT_TRUE(choose_technique("none", {}, "fast").error().message.starts_with("--preset 'fast'"));
 }
 
 TEST(TechniqueList, ACopyHasItsOwnSettings) {

@@ -6,10 +6,12 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <utility>
 
 #include "lueur/context.h"
 #include "lueur/g_buffer.h"
 #include "lueur/host.h"
+#include "lueur/result.h"
 #include "lueur/settings.h"
 #include "lueur/view.h"
 
@@ -53,17 +55,30 @@ class Technique {
   virtual void* settings() = 0;
 };
 
+// Settings that go together: values by name, as in set_from_text(). What it does not name has its
+// default.
+struct Preset {
+  std::string_view name;
+  std::string_view summary;  // one sentence
+  std::span<const std::pair<std::string_view, std::string_view>> settings;
+};
+
 struct TechniqueInfo {
   std::string_view name;
   std::string_view summary;  // one sentence
   std::string_view source;   // the paper
   std::span<const SettingInfo> settings;
   std::unique_ptr<Technique> (*make)();
+  std::span<const Preset> presets{};
 };
 
 // Every technique of the library, one row each.
 std::span<const TechniqueInfo> techniques();
 // The row of this name, or nullptr.
 const TechniqueInfo* find_technique(std::string_view name);
+
+// Gives all of the technique's settings, those of `info`, the values of the preset. Fails
+// (ErrorKind::usage) on a name that it does not have; the message lists those it has.
+Result<void> apply_preset(const TechniqueInfo& info, std::string_view preset, void* settings);
 
 }  // namespace lueur

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of techniques: one line each.
 #include "lueur/hierarchical.h"
+#include "techniques/hierarchical/presets.h"
 
 namespace lueur {
 namespace {
@@ -13,7 +14,7 @@ std::unique_ptr<Technique> make() {
 const TechniqueInfo kTechniques[] = {
     {"hierarchical", "Rings of samples in a pyramid of the camera's own G-buffer.",
      "Soler, Hoel, Rochet, Holzschuch 2009, INRIA RR-7162", Hierarchical::settings_table(),
-     make<Hierarchical>},
+     make<Hierarchical>, hierarchical_presets()},
 };
 
 }  // namespace

@@ -66,5 +66,41 @@ TEST(Settings, EveryTableIsSound) {
   }
 }
 
+TEST(Presets, EveryOneOfEveryTechniqueIsInRange) {
+  for (const TechniqueInfo& technique : techniques()) {
+    std::set<std::string_view> names;
+    for (const Preset& preset : technique.presets) {
+      SCOPED_TRACE(std::string(technique.name) + " " + std::string(preset.name));
+      EXPECT_TRUE(names.insert(preset.name).second);
+      EXPECT_TRUE(preset.summary.ends_with("."));
+      const auto instance = technique.make();
+      const auto applied = apply_preset(technique, preset.name, instance->settings());
+      ASSERT_TRUE(applied.ok()) << applied.error().message;
+      EXPECT_TRUE(check_ranges(technique.settings, instance->settings()).ok());
+      for (const auto& [name, text] : preset.settings)
+        for (const SettingInfo& info : technique.settings)
+          if (info.name == name) {
+            EXPECT_EQ(to_text(info, instance->settings()), text) << name;
+          }
+    }
+  }
+}
+
+TEST(Presets, DecideAllSettings) {
+  const TechniqueInfo& technique = *find_technique("hierarchical");
+  HierarchicalSettings settings;
+  settings.radius = 7.0f;
+  ASSERT_TRUE(apply_preset(technique, "fast", &settings).ok());
+  EXPECT_EQ(settings.start, HierarchicalSettings::Start::quarter);
+  EXPECT_EQ(settings.radius, HierarchicalSettings{}.radius);
+  ASSERT_TRUE(apply_preset(technique, "balanced", &settings).ok());
+  EXPECT_EQ(settings.start, HierarchicalSettings{}.start);
+
+  const auto wrong = apply_preset(technique, "Fast", &settings);
+  ASSERT_FALSE(wrong.ok());
+  EXPECT_EQ(wrong.error().kind, ErrorKind::usage);
+  EXPECT_NE(wrong.error().message.find("fast, balanced"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace lueur
