@@ -22,6 +22,9 @@ namespace lueur {
 struct HierarchicalSettings {
   enum class Start : int32_t { full, half, quarter };
   enum class Pyramid : int32_t { closest, vote };
+  enum class Visibility : int32_t { none, first_bounce, all_bounces };
+  enum class VoxelSlices : int32_t { of_32, of_64, of_128, of_256, of_512 };
+  enum class Voxelizer : int32_t { compute, raster };
   enum class Sources : int32_t { camera, lights };
   enum class FormFactor : int32_t { disc, point };
   enum class Sampling : int32_t { sparse, every_pixel };
@@ -36,6 +39,10 @@ struct HierarchicalSettings {
   Sampling sampling = Sampling::sparse;
   bool rotate = true;
   bool filter = true;
+  Visibility visibility = Visibility::none;
+  VoxelSlices voxel_slices = VoxelSlices::of_128;
+  int32_t visibility_steps = 8;
+  Voxelizer voxelizer = Voxelizer::compute;
   Sources sources = Sources::camera;
   int32_t light_view_px = 512;
   bool glossy = false;

@@ -4,14 +4,18 @@
 
 namespace lueur::hierarchical {
 
+bool HierarchicalFrame::further_are_blocked() const {
+  return settings_.visibility == Settings::Visibility::all_bounces;
+}
+
 // From what the camera sees, or from what the lights see. The camera then gives only what glows.
 Gathered HierarchicalFrame::gather_first_bounce(const Pyramid& pyramid) {
-  if (settings_.sources == Settings::Sources::camera) return gather_all_levels(pyramid);
+  if (settings_.sources == Settings::Sources::camera) return gather_all_levels(pyramid, true);
   Gathered sum = gather_from_lights(pyramid);
   const Level& finest = pyramid.finest();
   sum.light = filter(finest, 0, "", sum.light);
   if (pyramid.is_dark || frame_.failed()) return sum;
-  const Gathered glow = gather_all_levels(pyramid);
+  const Gathered glow = gather_all_levels(pyramid, true);
   const Image both = add("hierarchical.glow", finest.extent, sum.light, glow.light);
   frame_.release(sum.light);
   frame_.release(glow.light);
@@ -25,7 +29,7 @@ Gathered HierarchicalFrame::gather_bounces(const Pyramid& pyramid, Image albedo)
   Image latest = sum.light;
   for (int32_t bounce = 2; bounce <= settings_.bounces && !frame_.failed(); ++bounce) {
     const Pyramid reflected = with_source(pyramid, reflect(pyramid, albedo, latest, false));
-    const Image next = gather_all_levels(reflected).light;
+    const Image next = gather_all_levels(reflected, further_are_blocked()).light;
     release_sources(reflected);
     if (bounce > 2) frame_.release(latest);
     if (bounce > 2) frame_.release(sum.but_last);
@@ -54,7 +58,7 @@ Gathered HierarchicalFrame::gather_in_turn(const Pyramid& pyramid, Image albedo,
   if (second_bounce && first_before.light.valid()) {
     const Pyramid reflected =
         with_source(pyramid, reflect(pyramid, albedo, first_before.light, false));
-    sum = gather_all_levels(reflected);
+    sum = gather_all_levels(reflected, further_are_blocked());
     release_sources(reflected);
     first = carry(pyramid, "first bounce", first_before);
     second = blend(pyramid, "second bounce", second_before, sum.light);

@@ -207,7 +207,8 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
                    LUEUR_MEMBER(GatherParams, source_extent), LUEUR_MEMBER(GatherParams, inner_px),
                    LUEUR_MEMBER(GatherParams, outer_px), LUEUR_MEMBER(GatherParams, area_over_pi),
                    LUEUR_MEMBER(GatherParams, samples), LUEUR_MEMBER(GatherParams, level),
-                   LUEUR_MEMBER(GatherParams, seed), LUEUR_MEMBER(GatherParams, rotate)});
+                   LUEUR_MEMBER(GatherParams, seed), LUEUR_MEMBER(GatherParams, rotate),
+                   LUEUR_MEMBER(GatherParams, march_steps)});
   expect_layout(s::techniques_hierarchical_filter_comp, "push", sizeof(FilterParams),
                 {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent)});
   expect_layout(s::techniques_hierarchical_combine_comp, "push", sizeof(UpsampleParams),

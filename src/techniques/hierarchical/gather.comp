@@ -14,16 +14,8 @@ layout(push_constant, scalar) uniform Push { GatherParams p; };
 const uint march_rays = 0;
 
 #include "techniques/hierarchical/gather.glsl"
-
-Receiver receiver(ivec2 pixel) {
-  const vec4 surface = imageLoad(geometry, pixel);
-  const vec2 at_px = vec2(pixel) + 0.5;
-  return Receiver(pixel, at_px, position_view(ray_through(p.screen, at_px), surface.w),
-                  surface.xyz);
-}
+#include "techniques/hierarchical/own_view.glsl"
 
 float visibility(Receiver r, ivec2 q, float z) { return 1.0; }
-
-void keep(ivec2 pixel, vec4 light) { imageStore(indirect, pixel, min(light, vec4(65504.0))); }
 
 void main() { gather(p); }

@@ -37,28 +37,36 @@ GatherParams HierarchicalFrame::gather_params(const Level& level, uint32_t index
   params.level = index;
   params.seed = inputs_.seed;
   params.rotate = settings_.rotate;
+  params.march_steps = settings_.visibility_steps;
   return params;
 }
 
-// Equation (4) over the level's ring.
-Image HierarchicalFrame::gather(const Level& level, uint32_t index) {
+// Equation (4) over the level's ring. Without a range, obstacles do not count.
+Image HierarchicalFrame::gather(const Level& level, uint32_t index, BufferRef voxel_range) {
   const bool every_pixel = settings_.sampling == Settings::Sampling::every_pixel;
   const GatherParams params =
       gather_params(level, index, every_pixel ? 0 : samples_at_level(settings_, index));
   const Image indirect = frame_.image("indirect", level.extent, Format::rgba16f);
   const uint32_t pixels_per_thread = every_pixel ? 1 : gather_pixels_per_thread(level.extent);
+  const gpu::ShaderCode& shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
+                                  : voxel_range.valid()
+                                      ? shaders::techniques_hierarchical_gather_visible_comp
+                                      : shaders::techniques_hierarchical_gather_comp;
   Dispatch dispatch{
-      .shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
-                            : shaders::techniques_hierarchical_gather_comp,
+      .shader = shader,
       .constants = {{"form_factor", static_cast<uint32_t>(settings_.form_factor)}},
       .params = params,
       .read = {{"geometry", level.geometry}, {"source", level.source}},
       .write = {{"indirect", indirect}},
       .over = {level.extent.width,
-               // Rows in groups of 3 a thread, see gather.comp.
+               // Rows in groups of 3 a thread, see gather.glsl.
                every_pixel ? level.extent.height
                            : 3 * divide_up(level.extent.height, 3 * pixels_per_thread)}};
   if (!every_pixel) dispatch.constants.push_back({"pixels_per_thread", pixels_per_thread});
+  if (!every_pixel && voxel_range.valid()) {
+    dispatch.read.push_back({"voxels", level.voxels});
+    dispatch.read.push_back({"range", voxel_range});
+  }
   frame_.dispatch(at_level("gather", index), dispatch);
   return indirect;
 }
@@ -121,9 +129,10 @@ Gathered HierarchicalFrame::gather_levels(
   return sum;
 }
 
-Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid) {
+Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid, bool blocked) {
+  const BufferRef range = blocked ? pyramid.voxel_range : BufferRef{};
   return gather_levels(pyramid, "",
-                       [&](const Level& level, uint32_t k) { return gather(level, k); });
+                       [&](const Level& level, uint32_t k) { return gather(level, k, range); });
 }
 
 Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Image b) {

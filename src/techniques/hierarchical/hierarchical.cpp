@@ -17,6 +17,9 @@ using Settings = HierarchicalSettings;
 
 constexpr std::string_view kStartNames[] = {"full", "half", "quarter"};
 constexpr std::string_view kSourcesNames[] = {"camera", "lights"};
+constexpr std::string_view kVisibilityNames[] = {"none", "first_bounce", "all_bounces"};
+constexpr std::string_view kSlicesNames[] = {"32", "64", "128", "256", "512"};
+constexpr std::string_view kVoxelizerNames[] = {"compute", "raster"};
 constexpr std::string_view kPyramidNames[] = {"closest", "vote"};
 constexpr std::string_view kFormFactorNames[] = {"disc", "point"};
 constexpr std::string_view kSamplingNames[] = {"sparse", "every_pixel"};
@@ -47,6 +50,14 @@ constexpr std::array kSettings = {
     toggle<&Settings::rotate>(
         "rotate", "Give neighbouring pixels different samples, which `filter` averages."),
     toggle<&Settings::filter>("filter", "Filter each level 3 x 3 along its surfaces."),
+    choice<&Settings::visibility>("visibility", kVisibilityNames,
+                                  "Which bounces obstacles block, found in voxels; above none it "
+                                  "needs the engine's triangles."),
+    choice<&Settings::voxel_slices>("voxel_slices", kSlicesNames, "Voxels in depth."),
+    setting<&Settings::visibility_steps>("visibility_steps", 1, 128, "steps",
+                                         "Of a ray through voxels, at most."),
+    choice<&Settings::voxelizer>("voxelizer", kVoxelizerNames,
+                                 "compute: in a compute shader; raster: drawn, as in the paper."),
     choice<&Settings::sources>("sources", kSourcesNames,
                                "What gives the first bounce: camera: what it sees; lights: what "
                                "each of them shines on, which needs the engine's other views."),
@@ -92,6 +103,11 @@ Result<void> check_inputs(const Settings& settings, const Inputs& inputs) {
     return refuse("interleave=true and feedback=true need the G-buffer's motion");
   if (settings.glossy && !g.reflectance.valid())
     return refuse("glossy=true needs the G-buffer's reflectance");
+  if (settings.visibility != Settings::Visibility::none && !inputs.host)
+    return refuse("visibility above none needs an engine that lends triangles (Inputs::host)");
+  if (settings.visibility != Settings::Visibility::none &&
+      settings.sampling == Settings::Sampling::every_pixel)
+    return refuse("visibility above none goes with sampling=sparse only");
   if (settings.sources == Settings::Sources::lights && !inputs.host)
     return refuse("sources=lights needs an engine that renders other views (Inputs::host)");
   return {};
@@ -118,6 +134,7 @@ Outputs Hierarchical::render(Frame& public_frame, const Inputs& inputs) {
   if (frame.failed()) return {};
 
   HierarchicalFrame steps(public_frame, settings_, inputs);
+  const bool has_voxels = settings_.visibility != Settings::Visibility::none;
   const bool remembers = steps.has_history();
   const auto levels = static_cast<uint32_t>(settings_.levels);
   const bool by_lights = settings_.sources == Settings::Sources::lights;
@@ -132,12 +149,14 @@ Outputs Hierarchical::render(Frame& public_frame, const Inputs& inputs) {
   Gathered gathered;
   if (settings_.interleave) {
     steps.finish_pyramid(pyramid, levels);
+    if (has_voxels) steps.voxelize(pyramid);
     gathered = steps.gather_in_turn(pyramid, albedo, frames_++ % 2 == 1);
   } else {
     Warped before;
     if (remembers) before = steps.warp(pyramid, "light");
     if (settings_.feedback) steps.feed_back(pyramid, albedo, before);
     steps.finish_pyramid(pyramid, levels);
+    if (has_voxels) steps.voxelize(pyramid);
     gathered = steps.gather_bounces(pyramid, albedo);
     if (remembers) {
       const Image now = steps.blend(pyramid, "light", before, gathered.light);

@@ -23,6 +23,7 @@ struct Level {
   Screen screen;   // ray_scale is a level pixel's
   Image geometry;  // see pyramid.glsl
   Image source;    // radiance, foreshortening; see pyramid.glsl
+  Image voxels;    // invalid: there are none
 };
 
 // A view's surfaces at all levels, the finest first.
@@ -31,8 +32,9 @@ struct Pyramid {
   Screen screen;  // of the G-buffer
   mat4 view_from_world{1.0f};
   mat4 world_from_view{1.0f};
-  int factor = 1;        // pixels of the G-buffer a side of one pixel of level 0
-  bool is_dark = false;  // nothing in it is a source
+  int factor = 1;         // pixels of the G-buffer a side of one pixel of level 0
+  bool is_dark = false;   // nothing in it is a source
+  BufferRef voxel_range;  // of all levels' voxels
   std::vector<Level> levels;
 
   const Level& finest() const { return levels.front(); }
@@ -66,6 +68,8 @@ class HierarchicalFrame {
   Pyramid begin_pyramid(const View& view, const GBuffer& g_buffer, const Beginning& how);
   // The coarser levels, until there are so many.
   void finish_pyramid(Pyramid& pyramid, uint32_t levels);
+  // Voxels of what the view sees, for all levels.
+  void voxelize(Pyramid& pyramid);
   // The mean albedo of level 0's pixels.
   Image albedo(const Pyramid& pyramid);
   // The same pyramid with another source at level 0, and what follows from it at the others. The
@@ -76,7 +80,8 @@ class HierarchicalFrame {
 
   // --- gather.cpp: HSSIL 3.2, "indirect lighting shader" and "continuous combination"
 
-  Gathered gather_all_levels(const Pyramid& pyramid);
+  // `blocked`: obstacles count, if there are voxels.
+  Gathered gather_all_levels(const Pyramid& pyramid, bool blocked);
   // The light at the resolution of the view's G-buffer.
   Image output(const Pyramid& pyramid, const Gathered& gathered);
 
@@ -129,7 +134,7 @@ class HierarchicalFrame {
                    Image indirect, bool is_first);
   GatherParams gather_params(const Level& level, uint32_t index, uint32_t samples) const;
   Gathered gather_first_bounce(const Pyramid& pyramid);
-  Image gather(const Level& level, uint32_t index);
+  Image gather(const Level& level, uint32_t index, BufferRef voxel_range);
   Gathered gather_levels(const Pyramid& pyramid, const std::string& kind,
                          const std::function<Image(const Level&, uint32_t)>& gather_level);
   // These two release the light that they are given.
@@ -138,6 +143,7 @@ class HierarchicalFrame {
                 Image own, Image light);
   uint32_t gather_pixels_per_thread(Extent level) const;
   OutputParams output_params(const Pyramid& pyramid, const Gathered& gathered) const;
+  bool further_are_blocked() const;
   uint32_t by_vote() const;
   Image reflect(const Pyramid& pyramid, Image albedo, Image light, bool on_top);
   Image add(const std::string& pass, Extent extent, Image a, Image b);

@@ -42,7 +42,8 @@ struct GatherParams {
   uint samples;
   uint level;
   uint seed;
-  uint rotate;  // 0 or 1
+  uint rotate;      // 0 or 1
+  int march_steps;  // at most, of a ray through voxels
 };
 
 struct GatherViewParams {

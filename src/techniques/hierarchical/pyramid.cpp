@@ -4,6 +4,7 @@
 #include "techniques/hierarchical/hierarchical_frame.h"
 #include "techniques/hierarchical/shaders.h"
 #include "techniques/screen_of_view.h"
+#include "voxels/voxel_grid.h"
 
 namespace lueur::hierarchical {
 
@@ -72,6 +73,23 @@ void HierarchicalFrame::finish_pyramid(Pyramid& pyramid, uint32_t levels) {
   }
 }
 
+// FDP 4, "visibility computation".
+void HierarchicalFrame::voxelize(Pyramid& pyramid) {
+  const VoxelGrid grid =
+      lueur::voxelize(frame_, {.triangles = inputs_.host->triangles(public_frame_),
+                               .view_from_world = pyramid.view_from_world,
+                               .screen = pyramid.finest().screen,
+                               .geometry = pyramid.finest().geometry,
+                               .slices = 32u << static_cast<uint32_t>(settings_.voxel_slices),
+                               .levels = static_cast<uint32_t>(pyramid.levels.size()),
+                               .voxelizer = settings_.voxelizer == Settings::Voxelizer::raster
+                                                ? Voxelizer::raster
+                                                : Voxelizer::compute});
+  if (frame_.failed()) return;
+  for (size_t k = 0; k < pyramid.levels.size(); ++k) pyramid.levels[k].voxels = grid.levels[k];
+  pyramid.voxel_range = grid.range;
+}
+
 uint32_t HierarchicalFrame::by_vote() const {
   return settings_.pyramid == Settings::Pyramid::vote ? 1 : 0;
 }
@@ -128,6 +146,7 @@ void HierarchicalFrame::release_sources(const Pyramid& pyramid) {
 
 void HierarchicalFrame::release(const Pyramid& pyramid) {
   release_sources(pyramid);
+  for (const Level& level : pyramid.levels) frame_.release(level.voxels);
   for (const Level& level : pyramid.levels)
     if (level.geometry.index != geometry_history_.current.index) frame_.release(level.geometry);
 }

@@ -30,6 +30,7 @@ Pyramid HierarchicalFrame::pyramid_of_view(const View& view, Extent extent, int3
   }
   Pyramid pyramid = begin_pyramid(view, g, {.factor = 1, .source = g.source});
   finish_pyramid(pyramid, levels_across(extent, settings_.radius));
+  if (settings_.visibility != Settings::Visibility::none) voxelize(pyramid);
   return pyramid;
 }
 
@@ -45,15 +46,21 @@ void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receiv
     params.receiver_screen = to.screen;
     params.source_from_receiver = givers.view_from_world * receivers.world_from_view;
     params.is_first = is_first && k == 0 ? 1 : 0;
-    frame_.dispatch(
-        at_level(pass, k),
-        {.shader = shaders::techniques_hierarchical_gather_view_comp,
-         .constants = {{"pixels_per_thread", pixels_per_thread},
-                       {"form_factor", static_cast<uint32_t>(settings_.form_factor)}},
-         .params = params,
-         .read = {{"geometry", from.geometry}, {"source", from.source}, {"receivers", to.geometry}},
-         .write = {{"indirect", indirect}},
-         .over = {to.extent.width, 3 * divide_up(to.extent.height, 3 * pixels_per_thread)}});
+    const bool is_blocked = from.voxels.valid();
+    Dispatch dispatch{
+        .shader = is_blocked ? shaders::techniques_hierarchical_gather_view_visible_comp
+                             : shaders::techniques_hierarchical_gather_view_comp,
+        .constants = {{"pixels_per_thread", pixels_per_thread},
+                      {"form_factor", static_cast<uint32_t>(settings_.form_factor)}},
+        .params = params,
+        .read = {{"geometry", from.geometry}, {"source", from.source}, {"receivers", to.geometry}},
+        .write = {{"indirect", indirect}},
+        .over = {to.extent.width, 3 * divide_up(to.extent.height, 3 * pixels_per_thread)}};
+    if (is_blocked) {
+      dispatch.read.push_back({"voxels", from.voxels});
+      dispatch.read.push_back({"range", givers.voxel_range});
+    }
+    frame_.dispatch(at_level(pass, k), dispatch);
   }
 }
 
