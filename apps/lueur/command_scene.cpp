@@ -16,6 +16,7 @@
 #include "scene/builtin/builtin.h"
 #include "scene/deform.h"
 #include "scene/gltf_export.h"
+#include "scene/watertight.h"
 #include "session.h"
 
 namespace lueur::cli {
@@ -103,6 +104,37 @@ uint64_t data_bytes(const Scene& scene) {
   return bytes;
 }
 
+// Which meshes bound solids, each counted once.
+Json closed_json(const Scene& scene) {
+  uint64_t closed = 0, open = 0;
+  Json open_meshes = Json::array();
+  for (const Mesh& mesh : scene.meshes) {
+    const Watertightness found = watertightness(mesh);
+    closed += found.closed_triangles;
+    open += found.open_triangles;
+    if (found.open_triangles > 0)
+      open_meshes.push_back({{"name", mesh.name},
+                             {"open_triangles", found.open_triangles},
+                             {"open_edges", found.open_edges}});
+  }
+  return {{"closed_triangles", closed}, {"open_triangles", open}, {"open_meshes", open_meshes}};
+}
+
+// One line: how much is closed, and the first meshes that are not.
+std::string closed_text(const Json& closed) {
+  constexpr size_t kMostNames = 3;
+  const uint64_t count = closed["closed_triangles"];
+  std::string text = "closed: " + std::to_string(count) + " of " +
+                     std::to_string(count + closed["open_triangles"].get<uint64_t>()) +
+                     " triangles bound solids";
+  const Json& open = closed["open_meshes"];
+  for (size_t i = 0; i < std::min(open.size(), kMostNames); ++i)
+    text += (i == 0 ? "; open: " : ", ") + printable(open[i]["name"].get<std::string>());
+  if (open.size() > kMostNames)
+    text += " and " + std::to_string(open.size() - kMostNames) + " more meshes";
+  return text + "\n";
+}
+
 Json info_json(const std::string& spec, const LoadedScene& loaded) {
   const Scene& scene = loaded.scene;
   const Bounds box = bounds_at(scene, 0.0f);
@@ -115,6 +147,7 @@ Json info_json(const std::string& spec, const LoadedScene& loaded) {
                {"meshes", scene.meshes.size()},
                {"instances", scene.instances.size()},
                {"nodes", scene.nodes.size()},
+               {"solids", closed_json(scene)},
                {"data_bytes", data_bytes(scene)},
                {"bounds_m", {{"min", vector_json(box.min)}, {"max", vector_json(box.max)}}},
                {"animation_s", as_printed(animation_length_s(scene))},
@@ -135,6 +168,7 @@ std::string info_text(const Json& info) {
   std::ostringstream out;
   for (const char* key : {"name", "triangles", "vertices", "meshes", "instances", "nodes"})
     out << key << ": " << text(info[key]) << "\n";
+  out << closed_text(info["solids"]);
   out << "bounds: " << text(info["bounds_m"]["min"]) << " to " << text(info["bounds_m"]["max"])
       << " m\n";
   out << "data: " << text(info["data_bytes"]) << " bytes\n";

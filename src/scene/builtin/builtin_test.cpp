@@ -3,56 +3,12 @@
 #include "scene/builtin/builtin.h"
 
 #include <cstring>
-#include <set>
-#include <tuple>
 
 #include "scene/builtin/builtin_fixture.h"
+#include "scene/watertight.h"
 
 namespace lueur {
 namespace {
-
-// Gives vertices at the same place (within 20 µm) the same number.
-std::vector<uint32_t> weld(const Mesh& mesh) {
-  constexpr float kTolerance = 2e-5f, kCell = 1e-3f;
-  using Key = std::tuple<int, int, int>;
-  const auto key_of = [](glm::vec3 p) {
-    return Key(int(std::floor(p.x / kCell)), int(std::floor(p.y / kCell)),
-               int(std::floor(p.z / kCell)));
-  };
-  std::map<Key, std::vector<uint32_t>> grid;
-  std::vector<uint32_t> representative(mesh.vertices.size());
-  for (uint32_t v = 0; v < mesh.vertices.size(); ++v) {
-    const glm::vec3 p = mesh.vertices[v].position;
-    representative[v] = v;
-    std::set<Key> near;
-    for (int k = 0; k < 8; ++k)
-      near.insert(key_of(p + glm::vec3((k & 1) != 0 ? kTolerance : -kTolerance,
-                                       (k & 2) != 0 ? kTolerance : -kTolerance,
-                                       (k & 4) != 0 ? kTolerance : -kTolerance)));
-    for (const Key& key : near) {
-      const auto cell = grid.find(key);
-      if (cell == grid.end()) continue;
-      for (const uint32_t other : cell->second)
-        if (glm::distance(mesh.vertices[other].position, p) < kTolerance) representative[v] = other;
-    }
-    if (representative[v] == v) grid[key_of(p)].push_back(v);
-  }
-  return representative;
-}
-
-// Directed edges that do not have as many partners in the other direction.
-size_t unmatched_edges(const Mesh& mesh) {
-  const std::vector<uint32_t> number = weld(mesh);
-  std::map<std::pair<uint32_t, uint32_t>, int> balance;
-  for (size_t k = 0; k < mesh.indices.size(); ++k) {
-    const size_t next = k % 3 == 2 ? k - 2 : k + 1;
-    const uint32_t a = number[mesh.indices[k]], b = number[mesh.indices[next]];
-    if (a < b) ++balance[{a, b}];
-    if (b < a) --balance[{b, a}];
-  }
-  return size_t(std::count_if(balance.begin(), balance.end(),
-                              [](const auto& edge) { return edge.second != 0; }));
-}
 
 // Volume enclosed; positive if the triangles are counter-clockwise outwards.
 double signed_volume(const Mesh& mesh) {
@@ -113,7 +69,7 @@ TEST_P(EveryBuiltin, HasValidIndicesAndVertices) {
 
 TEST_P(EveryBuiltin, IsClosedAndFacesOutwards) {
   for (const Mesh& mesh : make(GetParam()).meshes) {
-    EXPECT_EQ(unmatched_edges(mesh), 0u) << mesh.name;
+    EXPECT_EQ(watertightness(mesh).open_triangles, 0u) << mesh.name;
     EXPECT_GT(signed_volume(mesh), 0.0) << mesh.name;
   }
 }
