@@ -92,7 +92,7 @@ TEST_P(VoxelGridTest, IsWhatExactArithmeticGives) {
 TEST_P(VoxelGridTest, TrianglesThatCrossTheEyesPlaneCount) {
   const builtin::Tessellation uncut{100.0f};
   std::vector<TestMesh> meshes = {mesh_of([&](auto& b) {
-    builtin::add_box(b, {-1.37f, -0.83f, -7.3f}, {1.91f, 1.1f, 2.9f}, uncut);
+    builtin::add_box(b, {-1.37f, -0.19f, -7.3f}, {1.91f, 1.1f, 2.9f}, uncut);
   })};
   const ExactVoxels room = exact_voxels(meshes, kExtent, slices());
   meshes.push_back(mesh_of([&](auto& b) {
@@ -166,7 +166,11 @@ TEST_P(VoxelGridTest, TiltedShellsHaveNoHoles) {
 }
 
 TEST_P(VoxelGridTest, CoarserLevelsAreSolidWhereAllPixelsAre) {
-  const std::vector<TestMesh> meshes = solids_and_a_shell();
+  std::vector<TestMesh> meshes = solids_and_a_shell();
+  // A wall up to the picture's odd edges.
+  meshes.push_back(mesh_of([](auto& b) {
+    builtin::add_box(b, {-20.0f, -20.0f, -10.0f}, {20.0f, 20.0f, -8.3f}, {100.0f});
+  }));
   const ExactVoxels exact = exact_voxels(meshes, kExtent, slices());
   const std::vector<Columns> levels =
       voxels(meshes, kExtent, exact.nearest_z, slices(), voxelizer(), 8);
