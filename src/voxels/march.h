@@ -39,6 +39,7 @@ struct March {
   int steps;  // 0: the points are too close for anything to be between them
 };
 
+// `max_steps` is 1 or more; no step is longer than a pixel if there are enough.
 LUEUR_SHARED March march_between(vec3 from, vec3 to, int max_steps, MarchBias bias) {
   const vec2 along_px = vec2(to.x - from.x, to.y - from.y);
   const float length_px = length(along_px);
