@@ -13,7 +13,7 @@ namespace {
 
 constexpr Extent kExtent{96, 64};
 constexpr uint32_t kSlices = 128;
-constexpr MarchBias kBias{kMarchBiasPx, kMarchBiasSlices};
+const MarchBias kBias{kMarchBiasPx, kMarchBiasSlices};
 
 // march() of march.glsl.
 float march(const VoxelRange& range, const Columns& voxels, const MarchLine& line, int max_steps) {
