@@ -17,6 +17,7 @@ layout(location = 3) in vec4 clip_now;
 layout(location = 4) in vec4 clip_before;
 layout(location = 5) in vec4 vertex_color;
 layout(location = 6) in vec4 normal_and_emission_uv;
+layout(location = 7) flat in uint surface_bits_of_instance;
 
 layout(location = 0) out vec4 base_color;
 layout(location = 1) out vec2 normal;
@@ -47,7 +48,8 @@ void main() {
   const bool lit = m.unlit == 0;
   base_color = vec4(lit ? color.rgb : vec3(0.0), 1.0);
   normal = octahedral_encode(n);
-  material = lit ? vec4(m.metallic * mr.b, m.roughness * mr.g, m.specular, 0.0) : vec4(0.0);
+  material.rgb = lit ? vec3(m.metallic * mr.b, m.roughness * mr.g, m.specular) : vec3(0.0);
+  material.a = float(surface_bits_of_instance) / 255.0;
   const vec3 emitted = m.emission * texture(emission_texture, normal_and_emission_uv.zw).rgb;
   emission = vec4(min(lit ? emitted : color.rgb, vec3(65504.0)), 1.0);
   motion = 0.5 * (clip_now.xy / clip_now.w - clip_before.xy / clip_before.w);

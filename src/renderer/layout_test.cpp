@@ -16,7 +16,8 @@ TEST(RendererLayout, GeometryPasses) {
         {LUEUR_MEMBER(InstanceData, world_from_object),
          LUEUR_MEMBER(InstanceData, world_from_object_before),
          LUEUR_MEMBER(InstanceData, world_from_object_normal),
-         LUEUR_MEMBER(InstanceData, is_deformed), LUEUR_MEMBER(InstanceData, first_deformed)});
+         LUEUR_MEMBER(InstanceData, is_deformed), LUEUR_MEMBER(InstanceData, first_deformed),
+         LUEUR_MEMBER(InstanceData, surface_bits)});
     expect_layout(
         *code, "deformed", sizeof(DeformedVertex),
         {LUEUR_MEMBER(DeformedVertex, position), LUEUR_MEMBER(DeformedVertex, position_before),
@@ -66,6 +67,10 @@ TEST(RendererLayout, Background) {
 TEST(RendererLayout, SurfaceAndComposition) {
   expect_layout(shaders::renderer_surface_comp, "push", sizeof(SurfaceParams),
                 {LUEUR_MEMBER(SurfaceParams, extent), LUEUR_MEMBER(SurfaceParams, has_emission)});
+  expect_layout(shaders::renderer_passed_on_comp, "push", sizeof(PassedOnParams),
+                {LUEUR_MEMBER(PassedOnParams, extent)});
+  expect_layout(shaders::renderer_passed_on_comp, "push", sizeof(PassedOnParams),
+                {LUEUR_MEMBER(PassedOnParams, extent)});
   expect_layout(shaders::renderer_reflectance_comp, "push", sizeof(ReflectanceParams),
                 {LUEUR_MEMBER(ReflectanceParams, extent)});
   expect_layout(shaders::renderer_compose_comp, "push", sizeof(ComposeParams),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Direct light of one punctual light, added to the two targets: diffuse source radiance and
-// specular. The including shader brings `shadow_map` and `float shadow(vec3 position, vec3 normal,
+// specular, which takes the diffuse light, too, of what passes no light on. The including shader brings `shadow_map` and `float shadow(vec3 position, vec3 normal,
 // vec3 to_light, float distance_m)`.
 #include "shading/brdf.h"
 #include "shading/packing.h"
@@ -58,10 +58,14 @@ void main() {
   irradiance *= cos_light * shadow(position, n, to_light, distance_m);
 
   const vec3 color = texelFetch(base_color, pixel, 0).rgb;
-  const vec3 mrs = texelFetch(material, pixel, 0).rgb;
-  vec4 diffuse_sum = imageLoad(source, pixel);
-  diffuse_sum.rgb += diffuse_albedo(color, mrs.r) * irradiance / kPi;
-  imageStore(source, pixel, min(diffuse_sum, vec4(65504.0)));
+  const vec4 mrs = texelFetch(material, pixel, 0);
+  const vec3 diffuse = diffuse_albedo(color, mrs.r) * irradiance / kPi;
+  const bool keeps = keeps_light(mrs);
+  if (!keeps) {
+    vec4 diffuse_sum = imageLoad(source, pixel);
+    diffuse_sum.rgb += diffuse;
+    imageStore(source, pixel, min(diffuse_sum, vec4(65504.0)));
+  }
 
   const vec3 to_eye = normalize(p.world_from_view[3].xyz - position);
   const float cos_view = max(dot(n, to_eye), 1e-3);
@@ -71,5 +75,6 @@ void main() {
                              clamp(dot(to_light, half_way), 0.0, 1.0));
   vec4 specular_sum = imageLoad(specular, pixel);
   specular_sum.rgb += brdf * irradiance;
+  if (keeps) specular_sum.rgb += diffuse;
   imageStore(specular, pixel, min(specular_sum, vec4(65504.0)));
 }

@@ -16,7 +16,19 @@ struct InstanceData {
   // index to find it among the DeformedVertex.
   uint is_deformed;
   int first_deformed;
+  uint surface_bits;  // kKeepsLight, or 0
 };
+
+// The alpha of `material` in 255ths: what a surface is besides its numbers.
+const uint kKeepsLight = 128u;  // it passes none on: MeshInstance::passes_light_on
+
+LUEUR_SHARED uint surface_bits(vec4 material) {
+  return uint(material.a * 255.0f + 0.5f);
+}
+
+LUEUR_SHARED bool keeps_light(vec4 material) {
+  return (surface_bits(material) & kKeepsLight) != 0u;
+}
 
 struct DeformedVertex {
   vec3 position;  // object space, or world space where the instance is skinned
@@ -90,6 +102,10 @@ struct SurfaceParams {
 };
 
 struct ReflectanceParams {
+  ivec2 extent;
+};
+
+struct PassedOnParams {
   ivec2 extent;
 };
 

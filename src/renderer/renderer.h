@@ -38,14 +38,16 @@ View view_of(const Scene& scene, const Shot& shot);
 
 // All images of one frame, W x H; linear Rec.709 where they hold light (cd/m² for glTF scenes).
 struct RenderedImages {
-  Image depth;              // d32f, reversed z, infinitely far plane, 0 where nothing is
-  Image normal;             // rg16_snorm, octahedral, world space
-  Image albedo;             // rgba16f: diffuse albedo, base colour * (1 - metallic)
-  Image material;           // rgba8: r metallic, g perceptual roughness, b share of dielectric F0
-  Image emission;           // rgba16f: emitted radiance
-  Image motion;             // rg16f: UV now minus UV in the previous frame
-  Image source;             // rgba16f: diffuse direct radiance + emission; what the technique gets
-  Image specular;           // rgba16f: specular direct radiance
+  Image depth;     // d32f, reversed z, infinitely far plane, 0 where nothing is
+  Image normal;    // rg16_snorm, octahedral, world space
+  Image albedo;    // rgba16f: diffuse albedo, base colour * (1 - metallic)
+  Image material;  // rgba8: r metallic, g perceptual roughness, b share of dielectric F0
+  Image emission;  // rgba16f: emitted radiance
+  Image motion;    // rg16f: UV now minus UV in the previous frame
+  Image source;    // rgba16f: diffuse direct radiance + emission; what the technique gets
+  // rgba16f: specular direct radiance. And what an object would have as `source` that passes no
+  // light on: it is seen and never gathered. To techniques, its albedo and emission are black.
+  Image specular;
   Image indirect;           // rgba16f: E/pi from the technique; invalid without one
   Image indirect_specular;  // rgba16f: radiance from the technique; invalid if it gives none
   Image composed;           // rgba16f: the picture, scene-referred

@@ -93,7 +93,7 @@ GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent, int32_t 
   GBuffer g = passes.g_buffer();
   // The view of the frame before is not known.
   g.motion = {};
-  passes.release_scratch();
+  passes.release_all_but(g);
   return g;
 }
 

@@ -104,8 +104,10 @@ Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system
   std::unique_ptr<SceneOnDevice> result(new SceneOnDevice);
   gpu::Device& device = context.recorder().device();
   result->scene_materials_ = scene.materials;
-  for (size_t i = 0; i < scene.instances.size(); ++i)
+  for (size_t i = 0; i < scene.instances.size(); ++i) {
     result->instances_.push_back({scene.instances[i], i});
+    result->keeps_light_ |= !scene.instances[i].passes_light_on;
+  }
   std::stable_sort(result->instances_.begin(), result->instances_.end(),
                    [](const auto& a, const auto& b) { return a.placed.mesh < b.placed.mesh; });
   LUEUR_TRY_VOID(result->upload_geometry(system, device, scene));
@@ -222,8 +224,9 @@ FrameGeometry SceneOnDevice::pose(const ScenePose& now, const ScenePose& before)
     const glm::mat3 normal = std::abs(glm::determinant(linear)) > 1e-30f
                                  ? glm::transpose(glm::inverse(linear))
                                  : glm::mat3(1.0f);
-    InstanceData data{world, world_from_instance(instance.placed, before.world_from_node), normal,
-                      0, 0};
+    InstanceData data{world,  world_from_instance(instance.placed, before.world_from_node),
+                      normal, 0,
+                      0,      instance.placed.passes_light_on ? 0 : kKeepsLight};
     const auto shaped = vertices_of(now, instance.index);
     const auto shaped_before = vertices_of(before, instance.index);
     if (!shaped.empty()) {

@@ -51,6 +51,8 @@ class SceneOnDevice {
   const gpu::Buffer& indices() const { return indices_; }
   // Whether any material emits light, or shows its colour as if it did.
   bool emits() const { return emits_; }
+  // Whether any instance keeps light that others pass on.
+  bool keeps_light() const { return keeps_light_; }
   const std::vector<MaterialData>& materials() const { return materials_; }
   MaterialSet material_set(int32_t material) const {
     return material_sets_[static_cast<size_t>(material)];
@@ -87,6 +89,7 @@ class SceneOnDevice {
   std::vector<MaterialData> materials_;
   std::vector<MaterialSet> material_sets_;
   bool emits_ = false;
+  bool keeps_light_ = false;
 };
 
 // The vertex layouts of Scene's Vertex.

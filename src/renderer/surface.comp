@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Starts the light targets: emission is the first source radiance, specular is black; and writes
-// the diffuse albedo that the composition multiplies indirect light with.
+// Starts the light targets: emission is the first source radiance, or the first specular one where
+// an object passes no light on; and writes the diffuse albedo that the composition multiplies indirect light with.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
@@ -21,9 +21,10 @@ void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, p.extent))) return;
   const vec4 color = texelFetch(base_color, pixel, 0);
-  const float metallic = texelFetch(material, pixel, 0).r;
-  imageStore(albedo, pixel, vec4(diffuse_albedo(color.rgb, metallic), color.a));
+  const vec4 m = texelFetch(material, pixel, 0);
+  imageStore(albedo, pixel, vec4(diffuse_albedo(color.rgb, m.r), color.a));
   const vec3 emitted = p.has_emission != 0 ? texelFetch(emission, pixel, 0).rgb : vec3(0.0);
-  imageStore(source, pixel, vec4(emitted, color.a));
-  imageStore(specular, pixel, vec4(0.0));
+  const bool keeps = keeps_light(m);
+  imageStore(source, pixel, vec4(keeps ? vec3(0.0) : emitted, color.a));
+  imageStore(specular, pixel, vec4(keeps ? emitted : vec3(0.0), 0.0));
 }

@@ -4,6 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
+#include "lueur/hierarchical.h"
 #include "renderer/asking_technique.h"
 #include "renderer/renderer_fixture.h"
 #include "scene/builtin/scene_builder.h"
@@ -88,6 +89,80 @@ TEST_F(TechniqueInputsTest, MotionLeadsToThePreviousView) {
     const float uv_before = 0.5f + 0.5f * clip.x / clip.w;
     const float uv_now = (static_cast<float>(ray.x) + 0.5f) / kExtent.width;
     ASSERT_NEAR(at("given_motion", ray).x, uv_now - uv_before, 1e-4f);
+  }
+}
+
+// A floor, and two glowing, glossy panels on it, one of which may keep its light.
+Scene two_panels(bool second_passes_light_on) {
+  Scene scene = scene_seen_from({0, 1.2f, 3}, {0, 0.5f, 0});
+  add_floor(scene, 2);
+  const int32_t glow = builtin::add_material(scene, "glow", {0.75f, 0.5f, 0.25f}, 0.3f);
+  scene.materials.back().emission = {0.5f, 1.0f, 0.25f};
+  add_quad(scene, {-1, 0, -0.5f}, {0.8f, 0, 0}, {0, 1, 0}, glow);
+  add_quad(scene, {0.2f, 0, -0.5f}, {0.8f, 0, 0}, {0, 1, 0}, glow);
+  scene.instances.back().passes_light_on = second_passes_light_on;
+  add_light(scene, LightKind::point, 8.0f, {0.3f, 1.4f, 1.5f});
+  add_light(scene, LightKind::directional, 1.0f, {}, {0, -1, -1});
+  return scene;
+}
+
+TEST_F(TechniqueInputsTest, WhatPassesNoLightOnIsSeenAndBlackToTechniques) {
+  struct Seen {
+    glm::vec4 composed, source, specular, albedo, emission;
+  };
+  std::vector<Seen> free;
+  inputs_for(two_panels(true));
+  for (const PixelRay& ray : rays())
+    free.push_back({at("composed", ray), at("source", ray), at("specular", ray),
+                    at("given_albedo", ray), at("given_emission", ray)});
+  inputs_for(two_panels(false));
+  size_t kept = 0, others = 0;
+  for (const PixelRay& ray : rays()) {
+    const auto on_panel = meet_plane(ray, {0, 0, -0.5}, {0, 0, 1});
+    ASSERT_TRUE(on_panel);
+    const auto inside = [](double x, double low, double high, double seam) {
+      return x > low + seam && x < high - seam;
+    };
+    const bool is_kept = inside(on_panel->x, 0.2, 1, 0.02) && inside(on_panel->y, 0, 1, 0.02);
+    const bool is_other = !inside(on_panel->x, 0.2, 1, -0.02) || !inside(on_panel->y, 0, 1, -0.02);
+    const Seen& want = free[ray.index];
+    // Each of the sums is rounded to a half float: emission, two lights, the composition.
+    for (int c = 0; c < 3; ++c)
+      ASSERT_NEAR(at("composed", ray)[c], want.composed[c], 6 * want.composed[c] / 2048);
+    ASSERT_EQ(at("composed", ray).a, want.composed.a);
+    if (is_kept) {
+      ASSERT_EQ(glm::vec3(at("source", ray)), glm::vec3(0.0f));
+      ASSERT_EQ(glm::vec3(at("given_albedo", ray)), glm::vec3(0.0f));
+      ASSERT_EQ(glm::vec3(at("given_emission", ray)), glm::vec3(0.0f));
+      // For the composition and for files it is as it was.
+      ASSERT_EQ(at("albedo", ray), want.albedo);
+      ASSERT_EQ(at("emission", ray), want.emission);
+      ++kept;
+    } else if (is_other) {
+      ASSERT_EQ(at("source", ray), want.source);
+      ASSERT_EQ(at("specular", ray), want.specular);
+      ASSERT_EQ(at("given_albedo", ray), want.albedo);
+      ASSERT_EQ(at("given_emission", ray), want.emission);
+      ++others;
+    }
+  }
+  EXPECT_GT(kept, 150u);
+  EXPECT_GT(others, 1000u);
+}
+
+// Where all that is lit keeps its light there is none to gather.
+TEST_F(TechniqueInputsTest, NothingIsGatheredFromWhatPassesNoLightOn) {
+  for (const bool passes : {true, false}) {
+    Scene scene = two_panels(passes);
+    for (MeshInstance& instance : scene.instances) instance.passes_light_on = passes;
+    Hierarchical technique;
+    render(scene, {.extent = kExtent}, &technique);
+    float brightest = 0.0f;
+    for (const PixelRay& ray : rays()) brightest = std::max(brightest, at("indirect", ray).y);
+    if (passes)
+      EXPECT_GT(brightest, 0.01f);
+    else
+      EXPECT_EQ(brightest, 0.0f);
   }
 }
 

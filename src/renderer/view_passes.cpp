@@ -100,14 +100,29 @@ GBuffer ViewPasses::g_buffer() {
             .motion = images_.motion,
             .albedo = images_.albedo,
             .reflectance = frame_.image("reflectance", extent_, Format::rgba16f)};
-  if (gives_emission()) g.emission = images_.emission;
   frame_.dispatch(name_ + ".reflectance",
                   {.shader = shaders::renderer_reflectance_comp,
                    .params = ReflectanceParams{as_ivec2(extent_)},
                    .read = {{"base_color", base_color_}, {"material", images_.material}},
                    .write = {{"reflectance", g.reflectance}},
                    .over = extent_});
+  g.emission = images_.emission;
+  if (scene_.on_device().keeps_light()) pass_on(g);
+  if (!gives_emission()) g.emission = {};
   return g;
+}
+
+void ViewPasses::pass_on(GBuffer& g) {
+  g.albedo = frame_.image("albedo_passed_on", extent_, Format::rgba16f);
+  g.emission = frame_.image("emission_passed_on", extent_, Format::rgba16f);
+  frame_.dispatch(name_ + ".passed_on",
+                  {.shader = shaders::renderer_passed_on_comp,
+                   .params = PassedOnParams{as_ivec2(extent_)},
+                   .read = {{"material", images_.material},
+                            {"albedo", images_.albedo},
+                            {"emission", images_.emission}},
+                   .write = {{"albedo_passed_on", g.albedo}, {"emission_passed_on", g.emission}},
+                   .over = extent_});
 }
 
 void ViewPasses::release_surfaces() {
@@ -115,13 +130,14 @@ void ViewPasses::release_surfaces() {
   base_color_ = {};
 }
 
-void ViewPasses::release_scratch() {
+void ViewPasses::release_all_but(const GBuffer& given) {
   release_surfaces();
-  for (Image* image : {&images_.material, &images_.motion, &images_.specular}) {
-    frame_.release(*image);
-    *image = {};
-  }
-  if (!gives_emission()) frame_.release(images_.emission);
+  for (const Image& image :
+       {images_.material, images_.motion, images_.specular, images_.emission, images_.albedo})
+    if (image.index != given.emission.index && image.index != given.albedo.index &&
+        image.index != given.motion.index)
+      frame_.release(image);
+  images_ = {};
 }
 
 }  // namespace lueur

@@ -26,10 +26,10 @@ class ViewPasses {
   void add_light(size_t light);
   // What a technique gets. Before release_surfaces().
   GBuffer g_buffer();
-  // Images that are neither in images() nor in g_buffer().
+  // What is neither in images() nor in g_buffer().
   void release_surfaces();
-  // And those that are not in g_buffer(): for views that nobody else looks at.
-  void release_scratch();
+  // And all that are not `given`: for views that nobody else looks at.
+  void release_all_but(const GBuffer& given);
 
   // As far as they are made: all but what comes from a technique.
   const RenderedImages& images() const { return images_; }
@@ -37,6 +37,7 @@ class ViewPasses {
  private:
   void draw_g_buffer();
   bool gives_emission() const;
+  void pass_on(GBuffer& g);
 
   FrameScene& scene_;
   Recorder& frame_;

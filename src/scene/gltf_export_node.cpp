@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "scene/gltf_export_parts.h"
+#include "scene/gltf_instance.h"
 
 namespace lueur {
 namespace {
@@ -74,6 +75,7 @@ class NodeExport {
       if (mesh_index[instance.mesh] != kNone) {
         Json& node = node_for(instance.node, "mesh");
         node["mesh"] = mesh_index[instance.mesh];
+        if (!instance.passes_light_on) node["extras"] = {{kPassesLightOnKey, false}};
         if (instance.skin != kNone) node["skin"] = instance.skin;
         if (!instance.morph_weights.empty()) node["weights"] = instance.morph_weights;
       }

@@ -211,6 +211,20 @@ TEST(ExportGlb, KeepsMatricesAndGivesExtraMeshesNodesOfTheirOwn) {
   EXPECT_FLOAT_EQ(bounds_at(*loaded, 0).max.x, 1.0f);
 }
 
+TEST(ExportGlb, KeepsWhatPassesNoLightOn) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "small.glb";
+  Scene scene = small_scene();
+  scene.instances[1].passes_light_on = false;
+  ASSERT_TRUE(export_glb(scene, file).ok());
+  const Result<Scene> loaded = load_gltf(file);
+  ASSERT_TRUE(loaded.ok()) << loaded.error().message;
+  EXPECT_EQ(loaded->warnings, std::vector<std::string>());
+  ASSERT_EQ(loaded->instances.size(), 2u);  // the empty mesh is left out
+  EXPECT_FALSE(loaded->instances[0].passes_light_on);
+  EXPECT_TRUE(loaded->instances[1].passes_light_on);
+}
+
 TEST(ExportGlb, SaysWhereItCannotWrite) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "missing" / "scene.glb";

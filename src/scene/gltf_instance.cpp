@@ -84,6 +84,12 @@ Result<std::vector<float>> read_morph_weights(const GltfFile& file, const JsonCu
   return weights;
 }
 
+Result<bool> read_passes_light_on(const JsonCursor& node) {
+  if (!node.has("extras")) return true;
+  const JsonCursor extras = node.member("extras");
+  return extras.boolean(kPassesLightOnKey, true);
+}
+
 Result<std::vector<Node>> read_copies(const GltfFile& file, const JsonCursor& node, uint64_t most) {
   constexpr const char* kExtension = "EXT_mesh_gpu_instancing";
   std::vector<Node> copies;

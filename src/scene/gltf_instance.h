@@ -13,6 +13,9 @@
 
 namespace lueur {
 
+// In a node's `extras`: see read_passes_light_on().
+inline constexpr const char* kPassesLightOnKey = "lueur_passes_light_on";
+
 // Reads skin `index`, which must exist. Its joints have to be nodes of the scene.
 Result<Skin> read_skin(const GltfFile& file, int32_t index, const NodeTree& tree);
 
@@ -22,6 +25,10 @@ Result<void> check_fit(const JsonCursor& node, const Mesh& mesh, const Skin& ski
 // The weights of the node's mesh at rest: the node's own, or the mesh', or zeros.
 Result<std::vector<float>> read_morph_weights(const GltfFile& file, const JsonCursor& node,
                                               int32_t file_mesh, const Mesh& mesh);
+
+// MeshInstance::passes_light_on, by the node's `extras`. They may hold anything of anybody's; ours
+// is true or false.
+Result<bool> read_passes_light_on(const JsonCursor& node);
 
 // The local transforms of the copies that EXT_mesh_gpu_instancing asks for; empty where the node
 // does not have it. At most `most` of them.

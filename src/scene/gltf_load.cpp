@@ -70,6 +70,8 @@ class InstanceReader {
     MeshInstance instance{.node = node, .mesh = place};
     LUEUR_TRY(weights, read_morph_weights(*file_, at, file_mesh, drawn));
     instance.morph_weights = std::move(weights);
+    LUEUR_TRY(passes_light_on, read_passes_light_on(at));
+    instance.passes_light_on = passes_light_on;
     LUEUR_TRY(copies, read_copies(*file_, at, file_->limits().nodes - scene_->nodes.size()));
     const size_t count = std::max(copies.size(), size_t{1});
     if (!drawn.morph_targets.empty())

@@ -177,6 +177,21 @@ TEST_F(GltfTest, MaterialsCamerasAndLights) {
   EXPECT_EQ(scene->lights.at(0).range_m, 12.0f);
 }
 
+TEST_F(GltfTest, ExtrasSayWhatPassesNoLightOn) {
+  for (const auto& [extras, passes] : {std::pair(R"({"lueur_passes_light_on":false})", false),
+                                       {R"({"lueur_passes_light_on":true})", true},
+                                       {R"({"mine":1})", true},
+                                       {"[7]", true}}) {
+    const auto scene = load(with(triangle_json(), R"({"mesh":0})",
+                                 std::string(R"({"mesh":0,"extras":)") + extras + "}"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    EXPECT_EQ(scene->instances[0].passes_light_on, passes) << extras;
+  }
+  expect_refused(
+      with(triangle_json(), R"({"mesh":0})", R"({"mesh":0,"extras":{"lueur_passes_light_on":0}})"),
+      {"nodes[0].extras.lueur_passes_light_on", "true or false"});
+}
+
 TEST_F(GltfTest, AnimationMovesItsNode) {
   const std::string keys = bytes_of<float>({0, 1, 0, 0, 0, 0, 0, 6});
   // The new accessors and views go behind the others, so that the numbers of those hold.

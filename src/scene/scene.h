@@ -152,6 +152,9 @@ struct MeshInstance {
   int32_t mesh = 0;
   int32_t skin = kNone;              // only for meshes with influences; then `node` moves nothing
   std::vector<float> morph_weights;  // at rest, one for each target of the mesh
+  // false: it is lit and gets indirect light, and techniques get none from it, as artists want it
+  // of characters that must not stain their surroundings (HSSIL 4). The reference ignores it.
+  bool passes_light_on = true;
 };
 
 // Looks down its node's -z with +y up.
