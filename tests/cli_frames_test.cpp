@@ -50,22 +50,28 @@ TEST_F(CliFrames, WritesAllOfThem) {
   EXPECT_FLOAT_EQ(std::stof(attributes["lueur.time_s"]), 1.0f + 9.0f / 5.0f);
 }
 
-// A technique without a memory gives each frame as if it were alone.
+// A technique without a memory gives each frame as if it were alone; one with a memory does not.
 TEST_F(CliFrames, AreThePicturesOfTheirTimes) {
-  ASSERT_EQ(render({"--frames", "0-2", "--fps", "4", "--exposure", "-4", "-o", "{frame}.png"}).code,
-            0);
-  ASSERT_EQ(render({"--time", "0.5", "--seed", "2", "--exposure", "-4", "-o", "alone.png"}).code,
-            0);
+  const auto picture = [&](const char* temporal, const Arguments& more) {
+    Arguments arguments = {"--set", std::string("temporal=") + temporal, "--exposure", "-4"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Ended ended = render(arguments);
+    EXPECT_EQ(ended.code, 0) << ended.err;
+  };
+  picture("0", {"--frames", "0-2", "--fps", "4", "-o", "{frame}.png"});
+  picture("0", {"--time", "0.5", "--seed", "2", "-o", "alone.png"});
+  picture("0", {"--frames", "2", "--fps", "4", "--settle", "3", "-o", "settled{frame}.png"});
   EXPECT_FALSE(content("2.png").empty());
   EXPECT_TRUE(content("2.png") == content("alone.png"));
-  EXPECT_FALSE(content("2.png") == content("1.png"));
-  // Nor do frames before them change anything.
-  ASSERT_EQ(render({"--frames", "2", "--fps", "4", "--exposure", "-4", "--settle", "3", "-o",
-                    "settled{frame}.png"})
-                .code,
-            0);
   EXPECT_TRUE(content("2.png") == content("settled2.png"));
+  EXPECT_FALSE(content("2.png") == content("1.png"));
   EXPECT_EQ(file_count(), 5u);
+
+  picture("0.9", {"--frames", "0-2", "--fps", "4", "-o", "memory{frame}.png"});
+  picture("0.9", {"--frames", "2", "--fps", "4", "-o", "alone{frame}.png"});
+  picture("0.9", {"--frames", "2", "--fps", "4", "--settle", "2", "-o", "settled{frame}.png"});
+  EXPECT_FALSE(content("memory2.png") == content("alone2.png"));
+  EXPECT_TRUE(content("memory2.png") == content("settled2.png"));
 }
 
 // The first frame is metered, also when it is not frame 0, and the others are shown alike.

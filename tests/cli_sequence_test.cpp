@@ -68,7 +68,7 @@ TEST_F(CliSequence, FewSamplesFlickerMore) {
 // sqrt(2) of the error of one, so that the error should be about 0.7 of the flicker of a standing
 // picture; the bounds leave a factor of 2, as the noise is not the same everywhere.
 TEST_F(CliSequence, GhostsOfNoMemoryAreNoise) {
-  const char* list = "hierarchical:samples=256";
+  const char* list = "hierarchical:samples=256:temporal=0";
   const Json moving = measure(list, {"--rate", "5"}, "8");
   const Json still = measure(list, standing(), "8");
   ASSERT_EQ(moving.size() + still.size(), 2u);
