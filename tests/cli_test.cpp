@@ -63,7 +63,8 @@ TEST_F(Cli, UsageErrorsAreOneLine) {
       {"--seed", "-1"},         {"--seed", "4294967296"}, {"--exposure", "bright"},
       {"--exposure", "nan"},    {"--exposure", "1e9"},    {"--time", "inf"},
       {"--tone-map", "sepia"},  {"--camera", "99"},       {"--camera", "nobody"},
-      {"--device", "99"},       {"--view", "no.image"},   {"--frobnicate", "1"}};
+      {"--side-camera", "99"},  {"--side-camera", ""},    {"--device", "99"},
+      {"--view", "no.image"},   {"--frobnicate", "1"}};
   for (const auto& [flag, value] : values)
     expect_error(2, {"render", "cornell", "-o", "x.png", "--size", "8x8", flag, value}, flag);
   expect_error(2, {"render", "cornell", "-o", "x.png", "--preset", "slow"}, "fast, balanced");

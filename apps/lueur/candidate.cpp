@@ -17,21 +17,22 @@ using Scenes = std::vector<std::shared_ptr<SceneUnderTest>>;
 Result<std::shared_ptr<SceneUnderTest>> scene_named(const std::string& name,
                                                     const EnvironmentChoice& environment,
                                                     const LoadLimits& limits,
-                                                    const std::string& camera, Session& session,
-                                                    Scenes& scenes) {
+                                                    const std::string& camera,
+                                                    const std::vector<std::string>& side_cameras,
+                                                    Session& session, Scenes& scenes) {
   const auto known = std::find_if(scenes.begin(), scenes.end(),
                                   [&](const auto& scene) { return scene->name == name; });
   if (known != scenes.end()) return *known;
   print_progress("loading " + name);
   LUEUR_TRY(loaded, load_scene(name, environment, limits));
-  LUEUR_TRY(camera_index, find_camera(loaded.scene, camera));
+  LUEUR_TRY(cameras, find_cameras(loaded.scene, camera, side_cameras));
   const uint64_t before = session.context.memory().total_bytes;
   LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, loaded.scene));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
   for (const std::string& warning : renderer->warnings()) print_warning(warning);
   const uint64_t bytes = session.context.memory().total_bytes - before;
-  scenes.push_back(std::make_shared<SceneUnderTest>(SceneUnderTest{
-      name, triangle_count(loaded.scene), camera_index, bytes, std::move(renderer)}));
+  scenes.push_back(std::make_shared<SceneUnderTest>(
+      SceneUnderTest{name, triangle_count(loaded.scene), cameras, bytes, std::move(renderer)}));
   return scenes.back();
 }
 
@@ -57,14 +58,18 @@ Result<CandidateMemory> measure_memory(Session& session, Candidate& candidate,
 
 Result<std::vector<Candidate>> make_candidates(Session& session,
                                                std::vector<CandidateRequest> requests,
-                                               const std::string& camera, uint32_t seed) {
+                                               const std::string& camera, uint32_t seed,
+                                               const std::vector<std::string>& side_cameras) {
   Scenes scenes;
   std::vector<Candidate> candidates;
   for (CandidateRequest& request : requests) {
     LUEUR_TRY(scene, scene_named(request.scene, request.environment, request.limits, camera,
-                                 session, scenes));
+                                 side_cameras, session, scenes));
     Candidate candidate{request.label, scene, std::move(request.technique), {}, {}};
-    candidate.shot = {.extent = request.size, .camera = scene->camera, .seed = seed};
+    candidate.shot = {.extent = request.size,
+                      .camera = scene->cameras.main,
+                      .seed = seed,
+                      .side_cameras = scene->cameras.side};
     candidates.push_back(std::move(candidate));
   }
   uint64_t bytes_of_scenes = 0;

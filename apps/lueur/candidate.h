@@ -17,7 +17,7 @@ namespace lueur::cli {
 struct SceneUnderTest {
   std::string name;  // as given
   uint64_t triangles = 0;
-  int32_t camera = 0;
+  Cameras cameras;
   uint64_t bytes = 0;  // of device memory
   std::unique_ptr<Renderer> renderer;
 };
@@ -53,7 +53,8 @@ struct CandidateRequest {
 // take turns do not allocate.
 Result<std::vector<Candidate>> make_candidates(Session& session,
                                                std::vector<CandidateRequest> requests,
-                                               const std::string& camera, uint32_t seed);
+                                               const std::string& camera, uint32_t seed,
+                                               const std::vector<std::string>& side_cameras = {});
 
 // One frame of a candidate.
 Result<FrameRecord> render_candidate(Session& session, Candidate& candidate,

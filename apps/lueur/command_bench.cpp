@@ -82,7 +82,7 @@ Outcome run(const Options& options) {
   report.setup = plan.setup;
   report.frames = plan.frames;
   LUEUR_TRY(candidates, make_candidates(session, std::move(plan.requests), options.frame.camera,
-                                        plan.setup.seed));
+                                        plan.setup.seed, options.frame.side_cameras));
   report.candidates = std::move(candidates);
   print_progress("timing on " + report.device.name);
   LUEUR_TRY(rounds, time_in_turn(session, report.candidates, plan.frames));

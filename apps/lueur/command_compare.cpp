@@ -36,6 +36,7 @@ std::string command_of(const Options& options) {
   add("--reference", options.references);
   add("--size", options.frame.size);
   if (!options.frame.camera.empty()) add("--camera", options.frame.camera);
+  for (const std::string& camera : options.frame.side_cameras) add("--side-camera", camera);
   const EnvironmentOptions& environment = options.frame.environment;
   if (!environment.file.empty()) add("--env", environment.file);
   if (!environment.rotation_deg.empty()) add("--env-rotation", environment.rotation_deg);

@@ -68,6 +68,7 @@ Result<RenderJob> check(const Options& options) {
   job.scene = options.scene;
   job.limits = options.limits;
   job.camera = options.frame.camera;
+  job.side_cameras = options.frame.side_cameras;
   job.view = options.view;
   job.dump = options.dump;
   job.dump_to = options.dump_to;

@@ -44,7 +44,8 @@ Result<std::vector<Candidate>> candidates_of(const CompareJob& job, Session& ses
   for (const ChosenTechnique& technique : job.techniques)
     requests.push_back({technique.label, job.scene, job.setup.size, copy(technique),
                         job.setup.environment, job.limits});
-  return make_candidates(session, std::move(requests), job.frame.camera, job.setup.seed);
+  return make_candidates(session, std::move(requests), job.frame.camera, job.setup.seed,
+                         job.frame.side_cameras);
 }
 
 // What is known before anything is rendered.

@@ -20,6 +20,11 @@ void add_view_options(CLI::App& command, FrameOptions& options) {
 
 void add_frame_options(CLI::App& command, FrameOptions& options) {
   add_view_options(command, options);
+  command
+      .add_option("--side-camera", options.side_cameras,
+                  "A camera that a technique may look through, too; may be repeated")
+      ->type_name("NAME|N")
+      ->allow_extra_args(false);
   command.add_option("--device", options.device, "Number or name, see `lueur devices`")
       ->type_name("N|NAME");
 }

@@ -21,6 +21,7 @@ namespace lueur::cli {
 struct FrameOptions {
   std::string size = "1280x720";
   std::string camera;
+  std::vector<std::string> side_cameras;
   std::string seed = "0";
   EnvironmentOptions environment;
   std::string device;
@@ -33,7 +34,7 @@ struct TechniqueOptions {
 
 // --size, --camera, --seed, --env and its like: what is looked at, also without a device.
 void add_view_options(CLI::App& command, FrameOptions& options);
-// Those and --device.
+// Those, --side-camera and --device.
 void add_frame_options(CLI::App& command, FrameOptions& options);
 
 // --technique, --preset, --set.

@@ -20,12 +20,13 @@ float time_of(const Pace& pace, int32_t frame) {
                             frame / static_cast<double>(pace.rate));
 }
 
-Shot moving_shot(const Pace& pace, const FrameSetup& setup, int32_t camera, int32_t frame) {
+Shot moving_shot(const Pace& pace, const FrameSetup& setup, const Cameras& cameras, int32_t frame) {
   return {.extent = setup.size,
-          .camera = camera,
+          .camera = cameras.main,
           .time_s = time_of(pace, frame),
           .previous_time_s = time_of(pace, frame - 1),
-          .seed = setup.seed + (pace.fixed_seed ? 0u : static_cast<uint32_t>(frame))};
+          .seed = setup.seed + (pace.fixed_seed ? 0u : static_cast<uint32_t>(frame)),
+          .side_cameras = cameras.side};
 }
 
 }  // namespace lueur::cli

@@ -7,6 +7,7 @@
 
 #include "frame_options.h"
 #include "renderer/renderer.h"
+#include "session.h"
 
 namespace lueur::cli {
 
@@ -28,6 +29,6 @@ float time_of(const Pace& pace, int32_t frame);
 
 // Frame `frame` of the animation. Its time before is that of the frame before, its seed counts up
 // with the frames unless it is fixed.
-Shot moving_shot(const Pace& pace, const FrameSetup& setup, int32_t camera, int32_t frame);
+Shot moving_shot(const Pace& pace, const FrameSetup& setup, const Cameras& cameras, int32_t frame);
 
 }  // namespace lueur::cli

@@ -100,7 +100,7 @@ void add_findings(int32_t frame, std::vector<ScanFinding> findings, RenderReport
 }  // namespace
 
 Result<void> render_frames(const RenderJob& job, Session& session, Renderer& renderer,
-                           const Scene& scene, int32_t camera, const std::stop_token& stop,
+                           const Scene& scene, const Cameras& cameras, const std::stop_token& stop,
                            RenderReport& report) {
   const auto first = static_cast<int32_t>(job.frames->first);
   const auto last = static_cast<int32_t>(job.frames->last);
@@ -109,7 +109,7 @@ Result<void> render_frames(const RenderJob& job, Session& session, Renderer& ren
   inspect.scan = job.scan;
   if (!job.view.empty()) inspect.watch = {job.view};
   Development development{.tone_map = job.tone_map,
-                          .near_m = scene.cameras[static_cast<size_t>(camera)].near_m,
+                          .near_m = scene.cameras[static_cast<size_t>(cameras.main)].near_m,
                           .attributes = {}};
   FrameFiles files(job);
   Times times;
@@ -120,7 +120,7 @@ Result<void> render_frames(const RenderJob& job, Session& session, Renderer& ren
     print_progress(counts ? "frame " + std::to_string(frame) + " of " + std::to_string(first) +
                                 " to " + std::to_string(last)
                           : "settling");
-    const Shot shot = moving_shot(job.pace, job.setup, camera, frame);
+    const Shot shot = moving_shot(job.pace, job.setup, cameras, frame);
     LUEUR_TRY(record, render_frame(session, renderer, shot, job.technique.technique.get(),
                                    counts ? images : ImageNames{}));
     add_findings(frame, std::move(record.findings), report);

@@ -13,7 +13,7 @@ namespace lueur::cli {
 // how many that are. A video then ends there; with no frame at all, or after a failure, it is left
 // out.
 Result<void> render_frames(const RenderJob& job, Session& session, Renderer& renderer,
-                           const Scene& scene, int32_t camera, const std::stop_token& stop,
+                           const Scene& scene, const Cameras& cameras, const std::stop_token& stop,
                            RenderReport& report);
 
 }  // namespace lueur::cli

@@ -58,8 +58,8 @@ Result<void> write_outputs(const RenderJob& job, const FrameRecord& frame,
 
 // One picture: renders it, writes it, and fills in the report.
 Result<void> make_picture(const RenderJob& job, Session& session, Renderer& renderer,
-                          const Scene& scene, int32_t camera, RenderReport& report) {
-  const Shot shot = moving_shot(job.pace, job.setup, camera, 0);
+                          const Scene& scene, const Cameras& cameras, RenderReport& report) {
+  const Shot shot = moving_shot(job.pace, job.setup, cameras, 0);
   LUEUR_TRY(frame, render_picture(job, session, renderer, shot, report));
   report.passes = frame.passes;
   report.technique_ms =
@@ -73,7 +73,7 @@ Result<void> make_picture(const RenderJob& job, Session& session, Renderer& rend
                                    as_image(*find_pixels(frame.pixels, "composed"), 3));
   const Development development{.exposure_ev = report.exposure_ev,
                                 .tone_map = job.tone_map,
-                                .near_m = scene.cameras[static_cast<size_t>(camera)].near_m,
+                                .near_m = scene.cameras[static_cast<size_t>(cameras.main)].near_m,
                                 .attributes = attributes(job, report, shot)};
   LUEUR_TRY_VOID(write_outputs(job, frame, development, report));
   for (const std::string& path : report.outputs) print_progress("wrote " + path);
@@ -108,8 +108,8 @@ Outcome run_render(RenderJob& job) {
   const Scene& scene = loaded.scene;
   report.load_ms = loaded.load_ms;
   report.triangles = triangle_count(scene);
-  LUEUR_TRY(camera, find_camera(scene, job.camera));
-  report.camera = scene.cameras[static_cast<size_t>(camera)].name;
+  LUEUR_TRY(cameras, find_cameras(scene, job.camera, job.side_cameras));
+  report.camera = scene.cameras[static_cast<size_t>(cameras.main)].name;
   report.warnings = scene.warnings;
 
   LUEUR_TRY(session, open_session({.device = job.device, .validation = job.validate}));
@@ -121,9 +121,9 @@ Outcome run_render(RenderJob& job) {
 
   print_progress("rendering on " + report.device.name);
   if (job.frames)
-    LUEUR_TRY_VOID(render_frames(job, session, *renderer, scene, camera, watch->token(), report));
+    LUEUR_TRY_VOID(render_frames(job, session, *renderer, scene, cameras, watch->token(), report));
   else
-    LUEUR_TRY_VOID(make_picture(job, session, *renderer, scene, camera, report));
+    LUEUR_TRY_VOID(make_picture(job, session, *renderer, scene, cameras, report));
   report.validation_messages = session.system->validation_messages();
 
   if (job.json) {

@@ -21,7 +21,8 @@ namespace lueur::cli {
 struct RenderJob {
   std::string scene;
   LoadLimits limits;
-  std::string camera;  // name or number; empty: the first
+  std::string camera;                     // name or number; empty: the first
+  std::vector<std::string> side_cameras;  // the same
   FrameSetup setup;
   Pace pace;  // a single picture is its frame 0
   ChosenTechnique technique;

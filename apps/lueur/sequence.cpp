@@ -37,11 +37,11 @@ struct Kept {
 // The frames of one technique: moving with one instance and history, standing with another.
 class Renderings {
  public:
-  Renderings(Session& session, Renderer& renderer, int32_t camera, const Sequence& sequence,
+  Renderings(Session& session, Renderer& renderer, const Cameras& cameras, const Sequence& sequence,
              const ChosenTechnique& technique)
       : session_(session),
         renderer_(renderer),
-        camera_(camera),
+        cameras_(cameras),
         sequence_(sequence),
         moving_(copy(technique)),
         standing_(copy(technique)) {}
@@ -49,7 +49,7 @@ class Renderings {
   Result<std::vector<Pixels>> moving(int32_t frame) {
     LUEUR_TRY(
         record,
-        render(moving_.label, moving_shot(sequence_.pace, sequence_.setup, camera_, frame),
+        render(moving_.label, moving_shot(sequence_.pace, sequence_.setup, cameras_, frame),
                moving_.technique.get(), {"composed", "indirect", "depth", "normal", "motion"}));
     return std::move(record.pixels);
   }
@@ -61,11 +61,11 @@ class Renderings {
     if (!standing_.technique) return mean;
     const std::string history = standing_.label + " standing";  // no label has a space
     // A frame without the technique ends its history: nothing is left of the instant before.
-    LUEUR_TRY_VOID(render(history, standing_shot(sequence_, camera_, frame, 0), nullptr, {}));
+    LUEUR_TRY_VOID(render(history, standing_shot(sequence_, cameras_, frame, 0), nullptr, {}));
     for (uint32_t i = 0; i < sequence_.settle + sequence_.average; ++i) {
       const bool counts = i >= sequence_.settle;
       LUEUR_TRY(record,
-                render(history, standing_shot(sequence_, camera_, frame, i),
+                render(history, standing_shot(sequence_, cameras_, frame, i),
                        standing_.technique.get(), counts ? ImageNames{"indirect"} : ImageNames{}));
       if (counts) add_share(indirect_of(record.pixels, size), mean);
     }
@@ -85,7 +85,7 @@ class Renderings {
 
   Session& session_;
   Renderer& renderer_;
-  int32_t camera_;
+  const Cameras& cameras_;
   const Sequence& sequence_;
   ChosenTechnique moving_;
   ChosenTechnique standing_;
@@ -101,12 +101,13 @@ Result<void> add_pair(const Kept& before, const Kept& now, SequenceErrors& error
 
 }  // namespace
 
-Shot standing_shot(const Sequence& sequence, int32_t camera, int32_t frame, uint32_t i) {
+Shot standing_shot(const Sequence& sequence, const Cameras& cameras, int32_t frame, uint32_t i) {
   return {.extent = sequence.setup.size,
-          .camera = camera,
+          .camera = cameras.main,
           .time_s = time_of(sequence.pace, frame),
           .previous_time_s = time_of(sequence.pace, frame),
-          .seed = sequence.setup.seed + i};
+          .seed = sequence.setup.seed + i,
+          .side_cameras = cameras.side};
 }
 
 std::string file_stem(const std::string& label) {
@@ -119,10 +120,10 @@ std::string file_stem(const std::string& label) {
 }
 
 Result<SequenceErrors> measure_sequence(Session& session, Renderer& renderer, const Scene& scene,
-                                        int32_t camera, const Sequence& sequence,
+                                        const Cameras& cameras, const Sequence& sequence,
                                         const ChosenTechnique& technique, const TakeFrame& take) {
-  const float near_m = scene.cameras[static_cast<size_t>(camera)].near_m;
-  Renderings renderings(session, renderer, camera, sequence, technique);
+  const float near_m = scene.cameras[static_cast<size_t>(cameras.main)].near_m;
+  Renderings renderings(session, renderer, cameras, sequence, technique);
   UncoveredPixels uncovered;
   SequenceErrors errors;
   Kept before;

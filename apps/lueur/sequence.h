@@ -29,7 +29,7 @@ struct Sequence {
 
 // Rendering `i` of the same instant standing still. Its seeds are the same for every frame, so that
 // the means of two frames share what is left of their noise and differ by the light that moved.
-Shot standing_shot(const Sequence& sequence, int32_t camera, int32_t frame, uint32_t i);
+Shot standing_shot(const Sequence& sequence, const Cameras& cameras, int32_t frame, uint32_t i);
 
 // `label` as the beginning of a file's name: what is no letter, digit, '.', '-', '=' or '_' of
 // ASCII becomes '_'.
@@ -49,7 +49,7 @@ using TakeFrame = std::function<Result<void>(uint32_t frame, std::span<const Pix
 // Renders the sequence with one technique. The moving frames have a history of their own, and so
 // have the standing ones, which start from nothing at every instant.
 Result<SequenceErrors> measure_sequence(Session& session, Renderer& renderer, const Scene& scene,
-                                        int32_t camera, const Sequence& sequence,
+                                        const Cameras& cameras, const Sequence& sequence,
                                         const ChosenTechnique& technique, const TakeFrame& take);
 
 }  // namespace lueur::cli

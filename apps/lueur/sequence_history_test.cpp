@@ -63,7 +63,7 @@ TEST_F(SequenceHistoryTest, MovingAndStandingFramesAreApart) {
     return {};
   };
   const auto errors =
-      measure_sequence(*session_, **renderer, loaded->scene, 0, sequence, technique, take);
+      measure_sequence(*session_, **renderer, loaded->scene, {}, sequence, technique, take);
   ASSERT_TRUE(errors.ok()) << errors.error().message;
   EXPECT_EQ(taken, (std::vector<uint32_t>{0, 1, 2}));
 

@@ -40,7 +40,7 @@ void hold(Scene& scene, int32_t camera, const SequenceJob& job) {
 // Measures all techniques in turn. The first frame's exposure is that of all.
 Result<std::vector<SequenceErrors>> measure(const SequenceJob& job, Session& session,
                                             Renderer& renderer, const Scene& scene,
-                                            int32_t camera) {
+                                            const Cameras& cameras) {
   std::optional<float> exposure_ev = scene.exposure_ev;
   std::vector<SequenceErrors> all;
   for (const ChosenTechnique& technique : job.techniques) {
@@ -52,7 +52,7 @@ Result<std::vector<SequenceErrors>> measure(const SequenceJob& job, Session& ses
                             {.exposure_ev = *exposure_ev, .attributes = {}});
     };
     LUEUR_TRY(errors,
-              measure_sequence(session, renderer, scene, camera, job.sequence, technique, write));
+              measure_sequence(session, renderer, scene, cameras, job.sequence, technique, write));
     all.push_back(errors);
   }
   return all;
@@ -125,8 +125,8 @@ Outcome run_sequence(SequenceJob& job) {
   print_progress("loading " + job.scene);
   LUEUR_TRY(loaded, load_scene(job.scene, job.sequence.setup.environment, job.limits));
   Scene& scene = loaded.scene;
-  LUEUR_TRY(camera, find_camera(scene, job.frame.camera));
-  hold(scene, camera, job);
+  LUEUR_TRY(cameras, find_cameras(scene, job.frame.camera, job.frame.side_cameras));
+  hold(scene, cameras.main, job);
 
   LUEUR_TRY(session, open_session({.device = job.frame.device}));
   LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, scene));
@@ -134,8 +134,8 @@ Outcome run_sequence(SequenceJob& job) {
   for (const std::string& warning : renderer->warnings()) print_warning(warning);
 
   print_progress("rendering on " + session.system->device().name);
-  LUEUR_TRY(all, measure(job, session, *renderer, scene, camera));
-  const std::string& camera_name = scene.cameras[static_cast<size_t>(camera)].name;
+  LUEUR_TRY(all, measure(job, session, *renderer, scene, cameras));
+  const std::string& camera_name = scene.cameras[static_cast<size_t>(cameras.main)].name;
   LUEUR_TRY_VOID(job.json ? print_json(report_json(job, all, camera_name, session.system->device()))
                           : print_data(report_text(job, all)));
   return kExitDone;

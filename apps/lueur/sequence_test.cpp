@@ -12,14 +12,14 @@ const Sequence kSequence{.setup = {{64, 36}, 7}, .pace = {.from_s = 2.0f, .rate 
 TEST(SequenceShot, StandingSeedsDiffer) {
   Sequence sequence = kSequence;
   sequence.pace.fixed_seed = true;
-  EXPECT_NE(standing_shot(sequence, 0, 3, 0).seed, standing_shot(sequence, 0, 3, 1).seed);
+  EXPECT_NE(standing_shot(sequence, {}, 3, 0).seed, standing_shot(sequence, {}, 3, 1).seed);
 }
 
 TEST(SequenceShot, StandsAtTheFrameWithTheSameSeeds) {
-  const Shot shot = standing_shot(kSequence, 0, 3, 4);
+  const Shot shot = standing_shot(kSequence, {}, 3, 4);
   EXPECT_EQ(shot.time_s, time_of(kSequence.pace, 3));
   EXPECT_EQ(shot.previous_time_s, shot.time_s);
-  EXPECT_EQ(shot.seed, standing_shot(kSequence, 0, 9, 4).seed);
+  EXPECT_EQ(shot.seed, standing_shot(kSequence, {}, 9, 4).seed);
 }
 
 TEST(SequenceFile, StemIsSafe) {

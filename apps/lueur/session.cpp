@@ -69,6 +69,25 @@ Result<Scene> make_scene(const std::string& spec, const EnvironmentChoice& envir
                                      joined(names)};
 }
 
+// The error names `flag` and lists the cameras.
+Result<int32_t> camera_named(const Scene& scene, const std::string& flag, const std::string& text) {
+  const std::vector<Camera>& cameras = scene.cameras;
+  for (size_t i = 0; i < cameras.size(); ++i)
+    if (cameras[i].name == text) return static_cast<int32_t>(i);
+  size_t index = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, index);
+  if (error == std::errc() && stop == end && index < cameras.size())
+    return static_cast<int32_t>(index);
+
+  std::vector<std::string> list;
+  for (size_t i = 0; i < std::min(cameras.size(), kMostNamesInErrors); ++i)
+    list.push_back(std::to_string(i) + " (" + cameras[i].name + ")");
+  if (cameras.size() > kMostNamesInErrors) list.emplace_back("…");
+  return Error{ErrorKind::usage,
+               flag + " '" + text + "': the scene has the cameras " + joined(list)};
+}
+
 // Each device and driver has a file of its own: a driver ignores what another one has stored.
 std::filesystem::path pipeline_cache(const gpu::DeviceEntry& device) {
   const std::filesystem::path folder = cache_folder();
@@ -123,22 +142,19 @@ Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice&
 }
 
 Result<int32_t> find_camera(const Scene& scene, const std::string& text) {
-  const std::vector<Camera>& cameras = scene.cameras;
-  if (text.empty() && !cameras.empty()) return 0;
-  for (size_t i = 0; i < cameras.size(); ++i)
-    if (cameras[i].name == text) return static_cast<int32_t>(i);
-  size_t index = 0;
-  const char* end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, index);
-  if (error == std::errc() && stop == end && index < cameras.size())
-    return static_cast<int32_t>(index);
+  if (text.empty() && !scene.cameras.empty()) return 0;
+  return camera_named(scene, "--camera", text);
+}
 
-  std::vector<std::string> list;
-  for (size_t i = 0; i < std::min(cameras.size(), kMostNamesInErrors); ++i)
-    list.push_back(std::to_string(i) + " (" + cameras[i].name + ")");
-  if (cameras.size() > kMostNamesInErrors) list.emplace_back("…");
-  return Error{ErrorKind::usage,
-               "--camera '" + text + "': the scene has the cameras " + joined(list)};
+Result<Cameras> find_cameras(const Scene& scene, const std::string& main,
+                             const std::vector<std::string>& side) {
+  LUEUR_TRY(camera, find_camera(scene, main));
+  Cameras cameras{camera};
+  for (const std::string& text : side) {
+    LUEUR_TRY(index, camera_named(scene, "--side-camera", text));
+    cameras.side.push_back(index);
+  }
+  return cameras;
 }
 
 Result<Session> open_session(const gpu::SystemInfo& info) {

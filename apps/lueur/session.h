@@ -32,6 +32,15 @@ Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice&
 // A camera's number or its name; the first one for "". The error lists the cameras.
 Result<int32_t> find_camera(const Scene& scene, const std::string& text);
 
+// The camera of the picture, and further ones whose views a technique gets beside it.
+struct Cameras {
+  int32_t main = 0;
+  std::vector<int32_t> side{};
+};
+// As find_camera(); the side ones have to be named.
+Result<Cameras> find_cameras(const Scene& scene, const std::string& main,
+                             const std::vector<std::string>& side);
+
 struct Session {
   std::unique_ptr<gpu::System> system;
   Context context;

@@ -144,11 +144,19 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   const bool cut = state_->is_cut(frame.options.history_of, shot);
   if (technique) {
     SceneHost host(frame_scene, scene, now.world_from_node, box);
+    std::vector<View> side_views;
+    for (const int32_t index : shot.side_cameras) {
+      LUEUR_CHECK(index >= 0 && index < static_cast<int32_t>(scene.cameras.size()));
+      const Camera& side = scene.cameras[static_cast<size_t>(index)];
+      side_views.push_back(
+          view_of_camera(side, now.world_from_node[static_cast<size_t>(side.node)], shot.extent));
+    }
     const Inputs inputs{.view = view,
                         .g_buffer = passes.g_buffer(),
                         .seed = shot.seed,
                         .previous_view = view_before,
                         .cut = cut,
+                        .side_views = side_views,
                         .host = &host};
     passes.release_surfaces();
     const Outputs outputs = technique->render(public_frame, inputs);

@@ -27,6 +27,8 @@ struct Shot {
   float time_s = 0;
   float previous_time_s = 0;  // of the frame before, for motion vectors
   uint32_t seed = 0;
+  // Further cameras of the same instant and extent, whose views a technique gets beside its own.
+  std::vector<int32_t> side_cameras{};
   // Techniques shall keep nothing of the frame before. The renderer knows by itself that a frame is
   // the first of its history (RecorderOptions::history_of), or that the last one had another camera
   // or extent; that the scene has jumped, only the program knows.

@@ -166,6 +166,32 @@ TEST_F(TechniqueInputsTest, NothingIsGatheredFromWhatPassesNoLightOn) {
   }
 }
 
+// They are those of their cameras at the time of the frame, in the order of the shot.
+TEST_F(TechniqueInputsTest, SideViewsAreThoseOfOtherCameras) {
+  Scene scene = wall({});
+  for (const float x : {2.0f, -2.0f})
+    builtin::add_camera(scene, "side", {x, 0, 3}, {0, 0, 0}, 0.5f + 0.1f * x);
+  AnimationChannel channel;
+  channel.node = scene.cameras[2].node;
+  channel.times_s = {0.0f, 1.0f};
+  channel.values = {{-2, 0, 3, 0}, {-2, 1, 3, 0}};
+  scene.animation.push_back(channel);
+  std::vector<View> views;
+  AskingTechnique technique([&](Frame&, const Inputs& inputs) {
+    views.assign(inputs.side_views.begin(), inputs.side_views.end());
+  });
+  render(scene, {.extent = {32, 8}, .time_s = 0.5f, .side_cameras = {2, 1}}, &technique);
+  ASSERT_EQ(views.size(), 2u);
+  for (const size_t i : {0u, 1u}) {
+    const View expected =
+        view_of(scene, {.extent = {32, 8}, .camera = i == 0 ? 2 : 1, .time_s = 0.5f});
+    EXPECT_EQ(views[i].view_from_world, expected.view_from_world) << i;
+    EXPECT_EQ(views[i].clip_from_view, expected.clip_from_view) << i;
+  }
+  render(scene, {.extent = {32, 8}}, &technique);
+  EXPECT_TRUE(views.empty());
+}
+
 // A cut is what the program says, the first frame, and a change of camera or extent; each history
 // has its own.
 TEST_F(TechniqueInputsTest, CutsAreToldAndSeen) {
