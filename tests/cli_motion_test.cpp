@@ -125,8 +125,8 @@ TEST_F(CliMotion, LeadsPointsToWhereTheyWere) {
           moves ? glm::dvec3(plate_before_from_now * glm::dvec4(point, 1.0)) : point;
       const glm::dvec2 motion(now.motion.at(x, y, 0), now.motion.at(x, y, 1));
       const glm::dvec2 uv = glm::dvec2((x + 0.5) / kWidth, (y + 0.5) / kHeight) - motion;
-      // Half floats keep 11 bits of the motion, and a device may cut off what is beyond; the rest is
-      // the rounding of single precision.
+      // Half floats keep 11 bits of the motion, and a device may cut off what is beyond; the rest
+      // is the rounding of single precision.
       const double bound = 0x1p-10 * glm::length(motion) + 1e-5;
       const glm::dvec2 expected = before.uv_of(point_before);
       ASSERT_NEAR(uv.x, expected.x, bound) << x << ", " << y << (moves ? " plate" : " floor");

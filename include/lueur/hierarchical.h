@@ -8,11 +8,12 @@
 // Each visible point gathers light from other visible points, near ones at full detail and far ones
 // from coarser levels of the G-buffer:
 //
-//   diffuse(x) = sum over samples i of  L_i R_i^2 cos+(theta_i) / (r_i^2 + R_i^2),
+//   diffuse(x) = sum over samples i of  L_i v_i R_i^2 cos+(theta_i) / (r_i^2 + R_i^2),
 //   R_i^2 = cos+(theta'_i) ds_i / pi,                                                  HSSIL (4)
 //   ds_i = z_i^2 * 4 tan(fov_h / 2) tan(fov_v / 2) / (W H) * cos(alpha) / cos(beta) * dP_i  (2)
 //
-// Visibility between the two points is taken as 1, and what the camera does not see gives no light.
+// v_i is found in voxels, or taken as 1. What the camera does not see gives no light, unless
+// sources are taken from the lights' own views.
 #pragma once
 
 #include "lueur/technique.h"
@@ -56,11 +57,18 @@ struct HierarchicalSettings {
   int32_t only_level = 0;
 };
 
-// Outputs: `diffuse` only. Its alpha is the share of samples that fell outside of the image,
-// averaged over the levels: light that may be missing there.
+// Outputs: `diffuse`, and `specular` with Settings::glossy. The alpha of each is the share of
+// samples that fell outside of the image, averaged over the levels: light that may be missing
+// there.
 //
-// Memory at half start: about 8 bytes a pixel of W x H for the pyramid, 5 for light on its way and
-// 8 for the output; kept between frames.
+// What of Inputs it needs beyond view, depth, normal and source depends on the settings: motion for
+// all that remembers (temporal, feedback, interleave; without it the temporal filter rests), albedo
+// for more than one bounce, reflectance and lobes for glossy, emission and a host for
+// sources=lights, a host's triangles for visibility. render() fails the frame (ErrorKind::usage)
+// where something else than the filter's motion is missing.
+//
+// Memory at half start: about 8 bytes a pixel of W x H for the pyramid, 5 for light on its way, 8
+// for what it remembers, and 8 for the output; kept between frames.
 class Hierarchical final : public Technique {
  public:
   explicit Hierarchical(HierarchicalSettings settings = {}) : settings_(settings) {}
