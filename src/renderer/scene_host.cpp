@@ -60,12 +60,18 @@ std::vector<TriangleBatch> batches_of(const FrameScene& scene, BufferRef vertice
     for (uint32_t i = 0; i < item.instance_count; ++i) {
       const InstanceData& instance = geometry.instances[item.first_instance + i];
       const bool is_deformed = instance.is_deformed != 0;
+      TriangleBatch& batch = is_deformed ? moved : still;
       TriangleRange range{
           .first_index = item.first_index,
-          .index_count = item.index_count,
-          .vertex_offset = item.vertex_offset + (is_deformed ? instance.first_deformed : 0)};
+          .index_count = item.closed_index_count,
+          .vertex_offset = item.vertex_offset + (is_deformed ? instance.first_deformed : 0),
+          .closed = true};
       std::copy_n(glm::value_ptr(instance.world_from_object), 16, range.world_from_object.begin());
-      (is_deformed ? moved : still).ranges.push_back(range);
+      if (range.index_count > 0) batch.ranges.push_back(range);
+      range.first_index += item.closed_index_count;
+      range.index_count = item.index_count - item.closed_index_count;
+      range.closed = false;
+      if (range.index_count > 0) batch.ranges.push_back(range);
     }
   }
   std::vector<TriangleBatch> batches;

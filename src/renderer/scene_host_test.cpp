@@ -269,5 +269,32 @@ TEST_F(SceneHostTest, TrianglesAreThoseThatAreDrawn) {
   EXPECT_EQ(given, want);
 }
 
+// Triangles that bound solids come in ranges of their own, and what has holes bounds nothing.
+TEST_F(SceneHostTest, RangesTellWhatIsClosed) {
+  for (const bool has_holes : {false, true}) {
+    Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0});
+    add_quad(scene, {-1, -1, 0}, {1, 0, 0}, {0, 1, 0});
+    Mesh& mesh = scene.meshes.back();
+    // A tetrahedron beside the quad, in the same mesh, its four triangles looking outwards.
+    const auto first = static_cast<uint32_t>(mesh.vertices.size());
+    for (const glm::vec3 p : {glm::vec3(2, 0, 0), {3, 0, 0}, {2, 1, 0}, {2, 0, 1}}) {
+      mesh.vertices.push_back(mesh.vertices.front());
+      mesh.vertices.back().position = p;
+    }
+    for (const uint32_t corner : {0u, 2u, 1u, 0u, 1u, 3u, 0u, 3u, 2u, 1u, 2u, 3u})
+      mesh.indices.push_back(first + corner);
+    mesh.primitives.back().index_count += 12;
+    if (has_holes) scene.materials.back().alpha_mode = AlphaMode::mask;
+    ask(scene, [&](Frame& frame, const Inputs& inputs) {
+      uint32_t closed = 0, open = 0;
+      for (const TriangleBatch& batch : inputs.host->triangles(frame))
+        for (const TriangleRange& range : batch.ranges)
+          (range.closed ? closed : open) += range.index_count / 3;
+      EXPECT_EQ(closed, has_holes ? 0u : 4u);
+      EXPECT_EQ(open, has_holes ? 6u : 2u);
+    });
+  }
+}
+
 }  // namespace
 }  // namespace lueur

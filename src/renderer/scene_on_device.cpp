@@ -8,6 +8,7 @@
 #include "base/try.h"
 #include "image/mip_chain.h"
 #include "renderer/upload.h"
+#include "scene/watertight.h"
 
 namespace lueur {
 namespace {
@@ -116,6 +117,32 @@ Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system
   return result;
 }
 
+// Puts the triangles of each primitive that bound solids first; gives how many indices those have.
+// What has holes by its material bounds nothing.
+std::vector<uint32_t> SceneOnDevice::closed_first(const Mesh& mesh,
+                                                  std::span<uint32_t> indices) const {
+  const Watertightness solids = watertightness(mesh);
+  std::vector<uint32_t> closed_counts;
+  for (const Primitive& primitive : mesh.primitives) {
+    const bool has_holes = material(primitive.material).alpha_mode == AlphaMode::mask;
+    std::vector<uint32_t> open;
+    uint32_t end = primitive.first_index;
+    for (uint32_t i = primitive.first_index; i < primitive.first_index + primitive.index_count;
+         i += 3) {
+      const bool closed = !has_holes && solids.is_closed[i / 3];
+      for (uint32_t corner = i; corner < i + 3; ++corner) {
+        if (closed)
+          indices[end++] = indices[corner];
+        else
+          open.push_back(indices[corner]);
+      }
+    }
+    closed_counts.push_back(end - primitive.first_index);
+    std::copy(open.begin(), open.end(), indices.begin() + end);
+  }
+  return closed_counts;
+}
+
 Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& device,
                                             const Scene& scene) {
   std::vector<Vertex> vertices;
@@ -126,6 +153,8 @@ Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& de
     primitives_.push_back(mesh.primitives);
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
+    closed_index_counts_.push_back(
+        closed_first(mesh, std::span(indices).last(mesh.indices.size())));
   }
   // An empty scene still binds something.
   if (vertices.empty()) vertices.emplace_back();
@@ -256,10 +285,11 @@ std::vector<DrawItem> SceneOnDevice::draws(const std::vector<glm::mat4>& world_f
            mirrored_at(end) == mirrored_at(first))
       ++end;
     const MeshRange& range = meshes_[static_cast<size_t>(mesh)];
-    for (const Primitive& primitive : primitives_[static_cast<size_t>(mesh)])
-      items.push_back({range.first_index + primitive.first_index, primitive.index_count,
-                       range.vertex_offset, first, end - first, primitive.material,
-                       mirrored_at(first)});
+    const auto& primitives = primitives_[static_cast<size_t>(mesh)];
+    for (size_t i = 0; i < primitives.size(); ++i)
+      items.push_back({range.first_index + primitives[i].first_index, primitives[i].index_count,
+                       range.vertex_offset, first, end - first, primitives[i].material,
+                       mirrored_at(first), closed_index_counts_[static_cast<size_t>(mesh)][i]});
     first = end;
   }
   return items;

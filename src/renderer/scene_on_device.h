@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "frame/recorder.h"
@@ -22,6 +23,7 @@ struct DrawItem {
   uint32_t instance_count = 0;
   int32_t material = 0;
   bool mirrored = false;  // the instances' transforms turn front faces into clockwise ones
+  uint32_t closed_index_count = 0;  // the first so many bound solids: scene/watertight.h
 };
 
 // Where the scene's parts are at one time.
@@ -72,13 +74,15 @@ class SceneOnDevice {
   };
   SceneOnDevice() = default;
   std::vector<DrawItem> draws(const std::vector<glm::mat4>& world_from_node) const;
+  std::vector<uint32_t> closed_first(const Mesh& mesh, std::span<uint32_t> indices) const;
   Result<void> upload_geometry(gpu::System& system, gpu::Device& device, const Scene& scene);
   Result<void> upload_textures(gpu::System& system, gpu::Device& device, const Scene& scene);
   void make_materials(Recorder& recorder, const Scene& scene);
 
   std::vector<Material> scene_materials_;
-  std::vector<Instance> instances_;                 // ordered by mesh
-  std::vector<std::vector<Primitive>> primitives_;  // by mesh
+  std::vector<Instance> instances_;                         // ordered by mesh
+  std::vector<std::vector<Primitive>> primitives_;          // by mesh
+  std::vector<std::vector<uint32_t>> closed_index_counts_;  // by mesh and primitive
   std::vector<MeshRange> meshes_;
   gpu::Buffer vertices_;
   gpu::Buffer indices_;

@@ -202,13 +202,14 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
        LUEUR_MEMBER(DownsampleParams, fine_extent), LUEUR_MEMBER(DownsampleParams, extent)});
   for (const gpu::ShaderCode* code :
        {&s::techniques_hierarchical_gather_comp, &s::techniques_hierarchical_gather_all_comp})
-    expect_layout(*code, "push", sizeof(GatherParams),
-                  {LUEUR_MEMBER(GatherParams, screen), LUEUR_MEMBER(GatherParams, extent),
-                   LUEUR_MEMBER(GatherParams, source_extent), LUEUR_MEMBER(GatherParams, inner_px),
-                   LUEUR_MEMBER(GatherParams, outer_px), LUEUR_MEMBER(GatherParams, area_over_pi),
-                   LUEUR_MEMBER(GatherParams, samples), LUEUR_MEMBER(GatherParams, level),
-                   LUEUR_MEMBER(GatherParams, seed), LUEUR_MEMBER(GatherParams, rotate),
-                   LUEUR_MEMBER(GatherParams, march_steps)});
+    expect_layout(
+        *code, "push", sizeof(GatherParams),
+        {LUEUR_MEMBER(GatherParams, screen), LUEUR_MEMBER(GatherParams, extent),
+         LUEUR_MEMBER(GatherParams, source_extent), LUEUR_MEMBER(GatherParams, inner_px),
+         LUEUR_MEMBER(GatherParams, outer_px), LUEUR_MEMBER(GatherParams, area_over_pi),
+         LUEUR_MEMBER(GatherParams, samples), LUEUR_MEMBER(GatherParams, level),
+         LUEUR_MEMBER(GatherParams, seed), LUEUR_MEMBER(GatherParams, rotate),
+         LUEUR_MEMBER(GatherParams, march_steps), LUEUR_MEMBER(GatherParams, march_scale)});
   expect_layout(s::techniques_hierarchical_filter_comp, "push", sizeof(FilterParams),
                 {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent)});
   expect_layout(s::techniques_hierarchical_combine_comp, "push", sizeof(UpsampleParams),

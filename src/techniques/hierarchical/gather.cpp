@@ -19,6 +19,10 @@ uint32_t HierarchicalFrame::gather_pixels_per_thread(Extent level) const {
   return frame_.runs_on_cpu() && level.height >= kRowsWorthIt ? 8 : 1;
 }
 
+uint32_t HierarchicalFrame::voxel_level(uint32_t level) const {
+  return level - std::min(level, static_cast<uint32_t>(settings_.visibility_finer));
+}
+
 // Of `samples` on the level's ring; 0: every pixel.
 GatherParams HierarchicalFrame::gather_params(const Level& level, uint32_t index,
                                               uint32_t samples) const {
@@ -38,20 +42,22 @@ GatherParams HierarchicalFrame::gather_params(const Level& level, uint32_t index
   params.seed = inputs_.seed;
   params.rotate = settings_.rotate;
   params.march_steps = settings_.visibility_steps;
+  params.march_scale = static_cast<float>(1u << (index - voxel_level(index)));
   return params;
 }
 
-// Equation (4) over the level's ring. Without a range, obstacles do not count.
-Image HierarchicalFrame::gather(const Level& level, uint32_t index, BufferRef voxel_range) {
+// Equation (4) over the level's ring. `blocked`: obstacles count, if there are voxels.
+Image HierarchicalFrame::gather(const Pyramid& pyramid, uint32_t index, bool blocked) {
+  const Level& level = pyramid.levels[index];
+  blocked = blocked && pyramid.voxel_range.valid();
   const bool every_pixel = settings_.sampling == Settings::Sampling::every_pixel;
   const GatherParams params =
       gather_params(level, index, every_pixel ? 0 : samples_at_level(settings_, index));
   const Image indirect = frame_.image("indirect", level.extent, Format::rgba16f);
   const uint32_t pixels_per_thread = every_pixel ? 1 : gather_pixels_per_thread(level.extent);
   const gpu::ShaderCode& shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
-                                  : voxel_range.valid()
-                                      ? shaders::techniques_hierarchical_gather_visible_comp
-                                      : shaders::techniques_hierarchical_gather_comp;
+                                  : blocked   ? shaders::techniques_hierarchical_gather_visible_comp
+                                              : shaders::techniques_hierarchical_gather_comp;
   Dispatch dispatch{
       .shader = shader,
       .constants = {{"form_factor", static_cast<uint32_t>(settings_.form_factor)}},
@@ -63,9 +69,9 @@ Image HierarchicalFrame::gather(const Level& level, uint32_t index, BufferRef vo
                every_pixel ? level.extent.height
                            : 3 * divide_up(level.extent.height, 3 * pixels_per_thread)}};
   if (!every_pixel) dispatch.constants.push_back({"pixels_per_thread", pixels_per_thread});
-  if (!every_pixel && voxel_range.valid()) {
-    dispatch.read.push_back({"voxels", level.voxels});
-    dispatch.read.push_back({"range", voxel_range});
+  if (!every_pixel && blocked) {
+    dispatch.read.push_back({"voxels", pyramid.levels[voxel_level(index)].voxels});
+    dispatch.read.push_back({"range", pyramid.voxel_range});
   }
   frame_.dispatch(at_level("gather", index), dispatch);
   return indirect;
@@ -130,9 +136,8 @@ Gathered HierarchicalFrame::gather_levels(
 }
 
 Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid, bool blocked) {
-  const BufferRef range = blocked ? pyramid.voxel_range : BufferRef{};
   return gather_levels(pyramid, "",
-                       [&](const Level& level, uint32_t k) { return gather(level, k, range); });
+                       [&](const Level&, uint32_t k) { return gather(pyramid, k, blocked); });
 }
 
 Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Image b) {

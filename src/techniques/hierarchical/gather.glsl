@@ -16,8 +16,8 @@ layout(local_size_x = 32, local_size_y = 3) in;
 
 // A point that gathers, in the space of the view that gives.
 struct Receiver {
-  ivec2 centre;   // pixel around which the rings lie
-  vec2 at_px;     // where the point itself is
+  vec2 centre_px;  // around which the rings lie
+  vec2 at_px;      // where the point itself is
   vec3 position;
   vec3 normal;
 };
@@ -32,12 +32,10 @@ void gather(GatherParams g) {
   if (first.x >= g.extent.x || first.y >= g.extent.y) return;
 
   Receiver receivers[pixels_per_thread];
-  vec2 ray[pixels_per_thread];
   vec3 light[pixels_per_thread];
   float taken[pixels_per_thread];
   for (uint k = 0; k < pixels_per_thread; ++k) {
     receivers[k] = receiver(first + ivec2(0, 3 * k));
-    ray[k] = ray_through(g.screen, vec2(receivers[k].centre) + 0.5);
     light[k] = vec3(0.0);
     taken[k] = 0.0;
   }
@@ -50,22 +48,23 @@ void gather(GatherParams g) {
   const float step_px2 = sample_step_px2(g.inner_px, g.outer_px, g.samples);
   for (uint i = 0; i < g.samples; ++i) {
     const float radius_px = sample_radius_px(g.inner_px, step_px2, float(i) + start.x);
-    const vec2 offset = floor(direction * radius_px + 0.5);
-    const vec2 ray_offset = offset * g.screen.ray_scale;
+    const vec2 offset_px = direction * radius_px;
     direction = golden_turn * direction;
     // All loads first: they do not wait for each other's arithmetic (0.86 of the time on a CPU).
     // Outside of the image rgb is 0 (robustImageAccess): such a sample is black, and is counted.
+    ivec2 q[pixels_per_thread];
     vec4 surface[pixels_per_thread];
     vec4 s[pixels_per_thread];
     for (uint k = 0; k < pixels_per_thread; ++k) {
-      const ivec2 q = receivers[k].centre + ivec2(offset);
-      surface[k] = imageLoad(geometry, q);
-      s[k] = imageLoad(source, q);
-      taken[k] += all(lessThan(uvec2(q), uvec2(g.source_extent))) ? 1.0 : 0.0;
+      q[k] = ivec2(floor(receivers[k].centre_px + offset_px));
+      surface[k] = imageLoad(geometry, q[k]);
+      s[k] = imageLoad(source, q[k]);
+      taken[k] += all(lessThan(uvec2(q[k]), uvec2(g.source_extent))) ? 1.0 : 0.0;
     }
     for (uint k = 0; k < pixels_per_thread; ++k) {
       const vec3 to_patch =
-          position_view(ray[k] + ray_offset, surface[k].w) - receivers[k].position;
+          position_view(ray_through(g.screen, vec2(q[k]) + 0.5), surface[k].w) -
+          receivers[k].position;
       const float area_over_pi = g.area_over_pi * surface[k].w * surface[k].w * s[k].a;  // HSSIL (2)
       const vec3 n = receivers[k].normal;
       const float factor = form_factor == 1
@@ -73,7 +72,7 @@ void gather(GatherParams g) {
                                : disc_form_factor(to_patch, n, surface[k].xyz, area_over_pi);
       vec3 arriving = s[k].rgb * factor;
       if (march_rays == 1 && arriving.r + arriving.g + arriving.b > 0.0)
-        arriving *= visibility(receivers[k], receivers[k].centre + ivec2(offset), surface[k].w);
+        arriving *= visibility(receivers[k], q[k], surface[k].w);
       light[k] += arriving;
     }
   }

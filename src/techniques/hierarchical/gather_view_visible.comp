@@ -28,9 +28,10 @@ float visibility(Receiver r, ivec2 q, float z) {
   if (r.position.z > -1.0e-3) return 1.0;
   const float bias_m = kMarchBiasSlices / range.value.slices_per_m;
   const float side = dot(r.normal, r.position) < 0.0 ? -1.0 : 1.0;
-  return march(range.value, vec3(r.at_px, max(-r.position.z + side * bias_m, 1.0e-3)),
-               vec3(vec2(q) + 0.5, z - bias_m), params.value.gather.march_steps,
-               MarchBias(kMarchBiasPx, 0.0));
+  const float scale = params.value.gather.march_scale;
+  return march(range.value, vec3(r.at_px * scale, max(-r.position.z + side * bias_m, 1.0e-3)),
+               vec3((vec2(q) + 0.5) * scale, z - bias_m), params.value.gather.march_steps,
+               MarchBias(kMarchBiasPx * scale, 0.0));
 }
 
 void main() { gather(params.value.gather); }

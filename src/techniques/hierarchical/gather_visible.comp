@@ -22,8 +22,9 @@ const uint march_rays = 1;
 #include "voxels/march.glsl"
 
 float visibility(Receiver r, ivec2 q, float z) {
-  return march(range.value, vec3(r.at_px, -r.position.z), vec3(vec2(q) + 0.5, z), p.march_steps,
-               MarchBias(kMarchBiasPx, kMarchBiasSlices));
+  return march(range.value, vec3(r.at_px * p.march_scale, -r.position.z),
+               vec3((vec2(q) + 0.5) * p.march_scale, z), p.march_steps,
+               MarchBias(kMarchBiasPx * p.march_scale, kMarchBiasSlices));
 }
 
 void main() { gather(p); }

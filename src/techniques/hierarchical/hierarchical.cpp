@@ -56,6 +56,9 @@ constexpr std::array kSettings = {
     choice<&Settings::voxel_slices>("voxel_slices", kSlicesNames, "Voxels in depth."),
     setting<&Settings::visibility_steps>("visibility_steps", 1, 128, "steps",
                                          "Of a ray through voxels, at most."),
+    setting<&Settings::visibility_finer>("visibility_finer", 0, 8, "levels",
+                                         "Rays go through voxels of a level so much finer than "
+                                         "that of their samples. 0: the same, as in the paper."),
     choice<&Settings::voxelizer>("voxelizer", kVoxelizerNames,
                                  "compute: in a compute shader; raster: drawn, as in the paper."),
     choice<&Settings::sources>("sources", kSourcesNames,

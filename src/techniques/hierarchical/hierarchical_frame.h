@@ -134,7 +134,8 @@ class HierarchicalFrame {
                    Image indirect, bool is_first);
   GatherParams gather_params(const Level& level, uint32_t index, uint32_t samples) const;
   Gathered gather_first_bounce(const Pyramid& pyramid);
-  Image gather(const Level& level, uint32_t index, BufferRef voxel_range);
+  Image gather(const Pyramid& pyramid, uint32_t index, bool blocked);
+  uint32_t voxel_level(uint32_t level) const;
   Gathered gather_levels(const Pyramid& pyramid, const std::string& kind,
                          const std::function<Image(const Level&, uint32_t)>& gather_level);
   // These two release the light that they are given.

@@ -11,7 +11,7 @@ Receiver receiver(ivec2 pixel) {
   const vec2 ray = there.xy / max(-there.z, 1.0e-4 * length(there) + 1.0e-30);
   const vec2 at_px = (ray - screen.ray_offset) / screen.ray_scale;
   const vec2 extent = vec2(params.value.gather.source_extent);
-  return Receiver(ivec2(clamp(at_px, vec2(0.0), extent - 0.01)),
+  return Receiver(clamp(at_px, vec2(0.0), extent),
                   clamp(at_px, -4.0 * extent, 5.0 * extent), there,
                   mat3(params.value.source_from_receiver) * surface.xyz);
 }

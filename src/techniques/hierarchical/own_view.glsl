@@ -4,7 +4,7 @@
 Receiver receiver(ivec2 pixel) {
   const vec4 surface = imageLoad(geometry, pixel);
   const vec2 at_px = vec2(pixel) + 0.5;
-  return Receiver(pixel, at_px, position_view(ray_through(p.screen, at_px), surface.w),
+  return Receiver(at_px, at_px, position_view(ray_through(p.screen, at_px), surface.w),
                   surface.xyz);
 }
 

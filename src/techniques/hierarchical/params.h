@@ -42,8 +42,9 @@ struct GatherParams {
   uint samples;
   uint level;
   uint seed;
-  uint rotate;      // 0 or 1
-  int march_steps;  // at most, of a ray through voxels
+  uint rotate;        // 0 or 1
+  int march_steps;    // at most, of a ray through voxels
+  float march_scale;  // pixels of the voxels' level a side of one of the giving level
 };
 
 struct GatherViewParams {

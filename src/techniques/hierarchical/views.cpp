@@ -57,7 +57,7 @@ void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receiv
         .write = {{"indirect", indirect}},
         .over = {to.extent.width, 3 * divide_up(to.extent.height, 3 * pixels_per_thread)}};
     if (is_blocked) {
-      dispatch.read.push_back({"voxels", from.voxels});
+      dispatch.read.push_back({"voxels", givers.levels[voxel_level(k)].voxels});
       dispatch.read.push_back({"range", givers.voxel_range});
     }
     frame_.dispatch(at_level(pass, k), dispatch);
