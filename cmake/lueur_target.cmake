@@ -31,7 +31,17 @@ function(lueur_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK;LABELS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gtest GTest::gtest_main lueur_options)
-  target_precompile_headers(${name} PRIVATE <gtest/gtest.h>)
+  # Tests are compiled more often than they run: -O1 takes four fifths of the time of -O2.
+  target_compile_options(${name} PRIVATE -pthread $<$<CONFIG:Release>:-O1>)
+  # One precompiled GoogleTest for all: compiling it anew for each takes longer than most tests do.
+  if(NOT TARGET lueur_gtest)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/gtest_header.cpp CONTENT "" @ONLY)
+    add_library(lueur_gtest OBJECT ${PROJECT_BINARY_DIR}/gtest_header.cpp)
+    target_link_libraries(lueur_gtest PRIVATE GTest::gtest lueur_options)
+    target_compile_options(lueur_gtest PRIVATE -pthread $<$<CONFIG:Release>:-O1>)
+    target_precompile_headers(lueur_gtest PRIVATE <gtest/gtest.h>)
+  endif()
+  target_precompile_headers(${name} REUSE_FROM lueur_gtest)
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
   # Vulkan drivers are unloaded with memory still held, which the leak checker can neither name nor
