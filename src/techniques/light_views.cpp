@@ -36,7 +36,7 @@ View square_view(const glm::vec3& eye, const glm::vec3& right, const glm::vec3& 
   return view;
 }
 
-// Right, down and forward of a view along `forward`.
+// Of a view; right x down = forward, as views do not mirror.
 struct Axes {
   glm::vec3 right, down, forward;
 };
@@ -51,8 +51,7 @@ Axes axes_along(const glm::vec3& forward) {
 // half angle reaches them.
 std::vector<View> cube_views(const glm::vec3& eye, const Axes& axes, float half_angle_rad) {
   const glm::vec3 x = axes.right, y = axes.down, z = axes.forward;
-  const Axes faces[6] = {{-z, -y, x}, {z, -y, -x}, {x, z, y},
-                         {x, -z, -y}, {x, -y, z},  {-x, -y, -z}};
+  const Axes faces[6] = {{-z, y, x}, {z, y, -x}, {x, -z, y}, {x, z, -y}, {x, y, z}, {-x, y, -z}};
   std::vector<View> views;
   for (const Axes& face : faces) {
     // How near to the cone's axis a face comes: 0 for the one ahead, 45 degrees for those at its
