@@ -10,7 +10,7 @@ layout(local_size_x = 64, local_size_y = 1) in;
 layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1, rgba16f) uniform readonly image2D reflectance;
 layout(set = 0, binding = 2, rgba32f) uniform readonly image2D geometry;
-layout(set = 0, binding = 3, r16f) uniform writeonly image2D lobe;  // as GBuffer::reflectance's alpha
+layout(set = 0, binding = 3, r16f) uniform writeonly image2D lobe;  // see lobe_of()
 layout(push_constant, scalar) uniform Push { LobeParams p; };
 
 #include "techniques/hierarchical/surface_pixel.glsl"
@@ -20,5 +20,6 @@ void main() {
   if (any(greaterThanEqual(pixel, p.extent))) return;
   const float z = imageLoad(geometry, pixel).w;
   const ivec2 child = pixel_of_surface(pixel, z, p.screen, p.full_extent);
-  imageStore(lobe, pixel, vec4(imageLoad(reflectance, child).a));
+  const float code = imageLoad(reflectance, child).a;
+  imageStore(lobe, pixel, vec4(code < 0.0 ? 1.0 - code : code));
 }

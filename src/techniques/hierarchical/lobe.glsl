@@ -3,7 +3,6 @@
 #include "shading/brdf.h"
 #include "shading/cosine_lobe.h"
 
-// GBuffer::reflectance's alpha, read.
 struct Lobe {
   bool is_ggx;
   float alpha;     // of GGX
@@ -16,10 +15,11 @@ struct Lobe {
 float exponent_of_alpha(float alpha) { return max(2.0 / (alpha * alpha) - 2.0, 1.0); }
 float alpha_of_exponent(float exponent) { return sqrt(2.0 / (exponent + 2.0)); }
 
+// `code` is a GGX lobe's perceptual roughness, or 2 + i for lobe i of the table.
 // What reflects light from everywhere evenly has no lobe to speak of: it counts as a wide one.
 Lobe lobe_of(float code) {
-  if (code < 0.0) {
-    const CosineLobeData c = lobes.data[uint(-code - 0.5)];
+  if (code > 1.5) {
+    const CosineLobeData c = lobes.data[uint(code - 1.5)];
     return Lobe(false, 0.0, max(c.exponent, 1.0), c.c_xy, c.c_z);
   }
   const float alpha = max(code * code, kLeastAlpha);
