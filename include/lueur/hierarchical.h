@@ -27,6 +27,7 @@ struct HierarchicalSettings {
   enum class VoxelSlices : int32_t { of_32, of_64, of_128, of_256, of_512 };
   enum class Voxelizer : int32_t { compute, raster };
   enum class Sources : int32_t { camera, lights };
+  enum class SideViews : int32_t { gather, warp };
   enum class FormFactor : int32_t { disc, point };
   enum class Sampling : int32_t { sparse, every_pixel };
 
@@ -47,6 +48,7 @@ struct HierarchicalSettings {
   Voxelizer voxelizer = Voxelizer::compute;
   Sources sources = Sources::camera;
   int32_t light_view_px = 512;
+  SideViews side_views = SideViews::gather;
   bool glossy = false;
   int32_t glossy_samples = 32;
   bool glossy_importance = true;

@@ -10,10 +10,16 @@ bool HierarchicalFrame::further_are_blocked() const {
 
 // From what the camera sees, or from what the lights see. The camera then gives only what glows.
 Gathered HierarchicalFrame::gather_first_bounce(const Pyramid& pyramid) {
-  if (settings_.sources == Settings::Sources::camera) return gather_all_levels(pyramid, true);
+  const bool by_lights =
+      settings_.sources == Settings::Sources::lights && !inputs_.host->lights().empty();
+  if (!by_lights) {
+    Gathered sum = gather_all_levels(pyramid, true);
+    sum.light = with_side_views(pyramid, sum.light);
+    return sum;
+  }
   Gathered sum = gather_from_lights(pyramid);
   const Level& finest = pyramid.finest();
-  sum.light = filter(finest, 0, "", sum.light);
+  sum.light = filter(finest, 0, "light_", sum.light);
   if (pyramid.is_dark || frame_.failed()) return sum;
   const Gathered glow = gather_all_levels(pyramid, true);
   const Image both = add("hierarchical.glow", finest.extent, sum.light, glow.light);

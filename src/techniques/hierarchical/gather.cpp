@@ -140,9 +140,11 @@ Gathered HierarchicalFrame::gather_all_levels(const Pyramid& pyramid, bool block
                        [&](const Level&, uint32_t k) { return gather(pyramid, k, blocked); });
 }
 
-Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Image b) {
+Image HierarchicalFrame::add(const std::string& pass, Extent extent, Image a, Image b,
+                             bool take_larger) {
   const Image sum = frame_.image("sum", extent, Format::rgba16f);
   frame_.dispatch(pass, {.shader = shaders::techniques_hierarchical_add_comp,
+                         .constants = {{"take_larger", take_larger ? 1u : 0u}},
                          .params = AddParams{as_ivec2(extent)},
                          .read = {{"a", a}, {"b", b}},
                          .write = {{"sum", sum}},

@@ -16,6 +16,7 @@ using hierarchical::Warped;
 using Settings = HierarchicalSettings;
 
 constexpr std::string_view kStartNames[] = {"full", "half", "quarter"};
+constexpr std::string_view kSideViewNames[] = {"gather", "warp"};
 constexpr std::string_view kSourcesNames[] = {"camera", "lights"};
 constexpr std::string_view kVisibilityNames[] = {"none", "first_bounce", "all_bounces"};
 constexpr std::string_view kSlicesNames[] = {"32", "64", "128", "256", "512"};
@@ -66,6 +67,10 @@ constexpr std::array kSettings = {
                                "each of them shines on, which needs the engine's other views."),
     setting<&Settings::light_view_px>("light_view_px", 16, 4096, "px",
                                       "Side of a light's view, with `sources=lights`."),
+    choice<&Settings::side_views>("side_views", kSideViewNames,
+                                  "How light of side cameras is taken, with sources=camera: "
+                                  "gather: from what they see; warp: "
+                                  "they gather for themselves, as in the paper."),
     toggle<&Settings::glossy>("glossy",
                               "Also give the light that glossy lobes reflect; needs reflectance."),
     setting<&Settings::glossy_samples>("glossy_samples", 1, 256, "samples",
@@ -111,6 +116,8 @@ Result<void> check_inputs(const Settings& settings, const Inputs& inputs) {
   if (settings.visibility != Settings::Visibility::none &&
       settings.sampling == Settings::Sampling::every_pixel)
     return refuse("visibility above none goes with sampling=sparse only");
+  if (!inputs.side_views.empty() && !inputs.host)
+    return refuse("side views need an engine that renders other views (Inputs::host)");
   if (settings.sources == Settings::Sources::lights && !inputs.host)
     return refuse("sources=lights needs an engine that renders other views (Inputs::host)");
   return {};

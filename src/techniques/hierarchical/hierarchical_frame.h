@@ -89,6 +89,8 @@ class HierarchicalFrame {
 
   // The first bounce of all lights, at level 0, unfiltered.
   Gathered gather_from_lights(const Pyramid& receivers);
+  // What side views add to this light of level 0: HSSIL 5, "additional cameras". Releases `light`.
+  Image with_side_views(const Pyramid& pyramid, Image light);
 
   // --- bounces.cpp: FDP, "multi-bounce computation"
 
@@ -130,6 +132,8 @@ class HierarchicalFrame {
   Gathered gather_glossy(const Pyramid& pyramid, const Lobes& lobes);
   Image output_glossy(const Pyramid& pyramid, const Gathered& gathered);
   Pyramid pyramid_of_view(const View& view, Extent extent, int32_t light);
+  Image gather_from_side_view(const Pyramid& pyramid, const View& view);
+  Image warp_from_side_view(const Pyramid& pyramid, const View& view, Image light);
   void gather_from(const Pyramid& givers, const Pyramid& receivers, const std::string& pass,
                    Image indirect, bool is_first);
   GatherParams gather_params(const Level& level, uint32_t index, uint32_t samples) const;
@@ -147,7 +151,7 @@ class HierarchicalFrame {
   bool further_are_blocked() const;
   uint32_t by_vote() const;
   Image reflect(const Pyramid& pyramid, Image albedo, Image light, bool on_top);
-  Image add(const std::string& pass, Extent extent, Image a, Image b);
+  Image add(const std::string& pass, Extent extent, Image a, Image b, bool take_larger = false);
   Image blend_with(const Pyramid& pyramid, const std::string& name, Image warped, Image light);
 
   Frame& public_frame_;

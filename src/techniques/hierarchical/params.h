@@ -108,6 +108,13 @@ struct WarpParams {
   float most;    // the largest weight
 };
 
+struct WarpViewParams {
+  Screen screen;         // of level 0, here
+  Screen screen_there;   // and of the other view
+  mat4 there_from_here;  // view spaces
+  ivec2 extent;
+};
+
 struct TemporalParams {
   ivec2 extent;
   uint has_light;    // 1, or 0: this frame has none, the last one's stays

@@ -42,8 +42,8 @@ Warped HierarchicalFrame::warp(const Pyramid& pyramid, const std::string& name,
                     .read = {{"depth", g.depth},
                              {"motion", g.motion},
                              {"geometry", level.geometry},
-                             {"geometry_before", geometry_history_.previous},
-                             {"light_before", history.previous}},
+                             {"geometry_there", geometry_history_.previous},
+                             {"light_there", history.previous}},
                     .write = {{"warped", warped}},
                     .over = level.extent};
   if (lobes) {

@@ -82,4 +82,58 @@ Gathered HierarchicalFrame::gather_from_lights(const Pyramid& receivers) {
   return sum;
 }
 
+// Beyond the paper: this view's receivers gather from the other's sources, whether that sees the
+// receivers or not.
+Image HierarchicalFrame::gather_from_side_view(const Pyramid& pyramid, const View& view) {
+  const Extent extent = pyramid.finest().extent;
+  const Pyramid givers = pyramid_of_view(view, extent, kAllLights);
+  if (frame_.failed()) return {};
+  const Image indirect = frame_.image("indirect", extent, Format::rgba16f);
+  gather_from(givers, pyramid, "gather_side", indirect, true);
+  release(givers);
+  return filter(pyramid.finest(), 0, "side_", indirect);
+}
+
+// HSSIL 5: the other camera gathers for itself, and its light is warped to where it is seen here.
+Image HierarchicalFrame::warp_from_side_view(const Pyramid& pyramid, const View& view,
+                                             Image light) {
+  const Level& here = pyramid.finest();
+  const Pyramid there = pyramid_of_view(view, here.extent, kAllLights);
+  if (frame_.failed()) return {};
+  const Gathered gathered = gather_all_levels(there, true);
+  const Image largest = frame_.image("largest", here.extent, Format::rgba16f);
+  frame_.dispatch("hierarchical.side_warp",
+                  {.shader = shaders::techniques_hierarchical_warp_view_comp,
+                   .params = WarpViewParams{here.screen, there.finest().screen,
+                                            there.view_from_world * pyramid.world_from_view,
+                                            as_ivec2(here.extent)},
+                   .read = {{"geometry", here.geometry},
+                            {"light", light},
+                            {"geometry_there", there.finest().geometry},
+                            {"light_there", gathered.light}},
+                   .write = {{"largest", largest}},
+                   .over = here.extent});
+  frame_.release(gathered.light);
+  release(there);
+  return largest;
+}
+
+Image HierarchicalFrame::with_side_views(const Pyramid& pyramid, Image light) {
+  for (const View& view : inputs_.side_views) {
+    Image both;
+    if (settings_.side_views == Settings::SideViews::warp) {
+      both = warp_from_side_view(pyramid, view, light);
+    } else {
+      const Image side = gather_from_side_view(pyramid, view);
+      if (frame_.failed()) return {};
+      both = add("hierarchical.side_max", pyramid.finest().extent, light, side, true);
+      frame_.release(side);
+    }
+    if (frame_.failed()) return {};
+    frame_.release(light);
+    light = both;
+  }
+  return light;
+}
+
 }  // namespace lueur::hierarchical

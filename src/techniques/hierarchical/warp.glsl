@@ -12,11 +12,12 @@ layout(local_size_x = 64, local_size_y = 1) in;
 layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D motion;
 layout(set = 0, binding = 2, rgba32f) uniform readonly image2D geometry;
-layout(set = 0, binding = 3, rgba32f) uniform readonly image2D geometry_before;
-layout(set = 0, binding = 4, rgba16f) uniform readonly image2D light_before;  // a: frames in it
-layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D warped;       // a: weight
+layout(set = 0, binding = 3, rgba32f) uniform readonly image2D geometry_there;
+layout(set = 0, binding = 4, rgba16f) uniform readonly image2D light_there;  // a: frames in it
+layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D warped;      // a: weight
 layout(set = 0, binding = 6, scalar) uniform Params { WarpParams value; } params;
 
+#include "techniques/hierarchical/resample.glsl"
 #include "techniques/hierarchical/surface_pixel.glsl"
 
 float exponent_at(ivec2 pixel);
@@ -44,31 +45,14 @@ void main() {
   const vec3 position_before = position_view(ray_through(p.previous, before_px), z_before);
   const vec3 normal_before = mat3(p.previous_view_from_view) * g.xyz;
 
-  const vec2 at = before_px / float(factor) - 0.5;
-  const ivec2 corner = ivec2(floor(at));
-  const vec2 f = at - vec2(corner);
-  vec4 sum = vec4(0.0);
-  float weights = 0.0;
-  for (int i = 0; i < 4; ++i) {
-    // Outside of the image z loads as 0 (robustImageAccess): nothing is known of it.
-    const ivec2 q = corner + ivec2(i & 1, i >> 1);
-    const vec4 gb = imageLoad(geometry_before, q);
-    const vec2 bilinear = mix(1.0 - f, f, vec2(i & 1, i >> 1));
-    const vec3 there =
-        position_view(ray_through(p.previous, (vec2(q) + 0.5) * float(factor)), gb.w);
-    const float same = gb.w > 0.0 ? bilateral_weight(position_before, normal_before, there, gb.xyz,
-                                                     kSameSurface)
-                                  : 0.0;
-    const float weight = same > 0.25 ? bilinear.x * bilinear.y : 0.0;
-    sum += weight * imageLoad(light_before, q);
-    weights += weight;
-  }
+  const Resampled before =
+      resample(p.previous, before_px / float(factor), float(factor), position_before, normal_before);
   vec4 result = vec4(0.0);
-  if (weights > 0.01) {
-    sum /= weights;
-    const float frames = sum.a;
-    result = vec4(sum.rgb,
-                  min(frames / (frames + 1.0), history_weight(p.most, length(moved_px), exponent_at(pixel))));
+  if (before.is_known) {
+    const float frames = before.light.a;
+    result = vec4(before.light.rgb,
+                  min(frames / (frames + 1.0),
+                      history_weight(p.most, length(moved_px), exponent_at(pixel))));
   }
   imageStore(warped, pixel, result);
 }
