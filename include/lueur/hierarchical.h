@@ -43,7 +43,7 @@ struct HierarchicalSettings {
   bool filter = true;
   Visibility visibility = Visibility::none;
   VoxelSlices voxel_slices = VoxelSlices::of_128;
-  int32_t visibility_steps = 16;
+  int32_t visibility_steps = 8;
   int32_t visibility_finer = 8;
   Voxelizer voxelizer = Voxelizer::compute;
   Sources sources = Sources::camera;

@@ -63,11 +63,12 @@ LUEUR_SHARED March march_between(vec3 from, vec3 to, int max_steps, MarchBias bi
 
 // First and last slice that a step tests. First > last: the line is in front of the grid there.
 LUEUR_SHARED ivec2 march_slices(VoxelRange range, March m, int step) {
-  const float inverse_z = m.inverse_z + m.inverse_z_step * float(step);
-  const float nearest = slice_place(range, 1.0f / (inverse_z + m.inverse_z_half));
-  const float farthest = slice_place(range, 1.0f / (inverse_z - m.inverse_z_half));
-  const int first = max(int(floor(nearest - m.bias_slices)), 0);
-  const int last = min(int(floor(farthest - m.bias_slices)), int(range.slices) - 1);
+  const float z = 1.0f / (m.inverse_z + m.inverse_z_step * float(step));
+  const float middle = slice_place(range, z) - m.bias_slices;
+  // d z = z^2 d (1/z); a second and third division would take as long as all the rest.
+  const float half_span = z * z * m.inverse_z_half * range.slices_per_m;
+  const int first = max(int(floor(middle - half_span)), 0);
+  const int last = min(int(floor(middle + half_span)), int(range.slices) - 1);
   return ivec2(first, last);
 }
 

@@ -13,7 +13,7 @@ Extent corners_of(Extent coarse) {
 }
 
 // A CPU wants much work in each thread (8 pixels took 0.90 of the time of 4), but still several
-// workgroups to share out.
+// workgroups to share out. With rays to march, one pixel is best: 0.7 of the time of 8.
 uint32_t HierarchicalFrame::gather_pixels_per_thread(Extent level) const {
   constexpr uint32_t kRowsWorthIt = 16;
   return frame_.runs_on_cpu() && level.height >= kRowsWorthIt ? 8 : 1;
@@ -54,7 +54,8 @@ Image HierarchicalFrame::gather(const Pyramid& pyramid, uint32_t index, bool blo
   const GatherParams params =
       gather_params(level, index, every_pixel ? 0 : samples_at_level(settings_, index));
   const Image indirect = frame_.image("indirect", level.extent, Format::rgba16f);
-  const uint32_t pixels_per_thread = every_pixel ? 1 : gather_pixels_per_thread(level.extent);
+  const uint32_t pixels_per_thread =
+      every_pixel || blocked ? 1 : gather_pixels_per_thread(level.extent);
   const gpu::ShaderCode& shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
                                   : blocked   ? shaders::techniques_hierarchical_gather_visible_comp
                                               : shaders::techniques_hierarchical_gather_comp;
