@@ -121,7 +121,8 @@ void add_compare(CLI::App& program, Outcome& outcome) {
   add_frame_options(*command, options->frame);
   command->add_option("--spp", options->spp, "Samples of the references (default 256)")
       ->type_name("N");
-  command->add_option("--bounces", options->bounces, "Bounces of path (default 1)")->type_name("N");
+  command->add_option("--bounces", options->bounces, "Bounces of path and screen (default 1)")
+      ->type_name("N");
   command->add_option("--frames", options->frames, "Frames to time (default 10)")->type_name("N");
   command->add_flag("--no-cache", options->no_cache, "Neither use nor fill the references' cache");
   command->add_flag("--json", options->json, "results.json on stdout instead of the table");

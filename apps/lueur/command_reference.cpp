@@ -87,7 +87,7 @@ Outcome run(const Options& options) {
 constexpr char kFooter[] =
     "Rays go through the centres of the pixels, as the rasterizer's do. Modes:\n"
     "  path               path tracing: all light that came off 1 to --bounces surfaces\n"
-    "  screen             one bounce, and only off surfaces that the camera sees\n"
+    "  screen             the same, and only diffuse, off surfaces that the camera sees\n"
     "  screen-unoccluded  the sum over all pixels without visibility, HSSIL (4) or (3); --spp is\n"
     "                     how many pixels are summed, 0 is all of them\n"
     "  ambient            ambient occlusion within --distance metres\n"

@@ -58,7 +58,8 @@ std::map<std::string, std::string> attributes(const ReferenceJob& job) {
       {"lueur.time_s", std::to_string(job.shot.time_s)},
       {"lueur.reference.mode", std::string(name_of(s.mode))},
       {"lueur.reference.seed", std::to_string(s.seed)}};
-  if (s.mode == reference::Mode::path) list["lueur.reference.bounces"] = std::to_string(s.bounces);
+  if (s.mode == reference::Mode::path || s.mode == reference::Mode::screen)
+    list["lueur.reference.bounces"] = std::to_string(s.bounces);
   if (s.mode == reference::Mode::ambient)
     list["lueur.reference.distance_m"] = std::to_string(s.ambient_distance_m);
   return list;

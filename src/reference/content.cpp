@@ -14,7 +14,7 @@ namespace lueur::reference {
 namespace {
 
 // Counted up by each change after which the same scene and settings give other samples.
-constexpr uint32_t kVersion = 3;
+constexpr uint32_t kVersion = 4;
 
 class Hash {
  public:

@@ -119,18 +119,20 @@ glm::vec3 LightPaths::sky_found(const Bsdf::Sample& direction) const {
          balance(direction.pdf, environment_->pdf(direction.to_light));
 }
 
+// What a surface on the way sends on. A G-buffer holds the diffuse part: one value for all
+// directions.
+Bsdf LightPaths::sending_bsdf(const Touch& touch, const glm::vec3& to_eye) const {
+  const Surface surface = world_.surface(touch);
+  if (settings_.mode == Mode::path) return world_.bsdf(surface, to_eye, kDiffuseShareFurther);
+  return {{.normal = surface.normal,
+           .to_eye = to_eye,
+           .diffuse_albedo = world_.diffuse_albedo_of(surface)},
+          1.0f};
+}
+
 // The radiance that leaves `met` towards `to_eye`, its emission left out: one path's estimate.
 glm::vec3 LightPaths::arriving(const Touch& met, const glm::vec3& to_eye, Sampler& sampler,
                                uint64_t& rays) const {
-  if (settings_.mode == Mode::screen) {
-    // What a G-buffer holds of it: diffuse, one value for all directions.
-    const Arrival light = one_arrival(world_, met, pick_light(sampler), rays);
-    if (is_black(light.irradiance) || !seen_by_camera(met, rays)) return glm::vec3(0.0f);
-    const Surface surface = world_.surface(met);
-    const float cosine = std::max(glm::dot(surface.normal, light.to_light), 0.0f);
-    return world_.diffuse_albedo_of(surface) * light.irradiance * cosine / kPi;
-  }
-
   glm::vec3 radiance(0.0f), throughput(1.0f);
   Touch touch = met;
   glm::vec3 eye = to_eye;
@@ -138,7 +140,8 @@ glm::vec3 LightPaths::arriving(const Touch& met, const glm::vec3& to_eye, Sample
     const Arrival light = one_arrival(world_, touch, pick_light(sampler), rays);
     const bool is_last = depth >= settings_.bounces;
     if (is_last && is_black(light.irradiance)) return radiance;
-    const PathVertex vertex{touch, world_.bsdf(world_.surface(touch), eye, kDiffuseShareFurther)};
+    if (settings_.mode == Mode::screen && !seen_by_camera(touch, rays)) return radiance;
+    const PathVertex vertex{touch, sending_bsdf(touch, eye)};
     if (!is_black(light.irradiance))
       radiance += throughput * light.irradiance * vertex.reflected(light.to_light);
     if (is_last) return radiance;

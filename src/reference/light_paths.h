@@ -64,6 +64,7 @@ class LightPaths {
                          uint64_t& rays) const;
   glm::vec3 sky_found(const Bsdf::Sample& direction) const;
   float pick_light(Sampler& sampler) const;
+  Bsdf sending_bsdf(const Touch& touch, const glm::vec3& to_eye) const;
   bool seen_by_camera(const Touch& surface, uint64_t& rays) const;
   glm::vec3 arriving(const Touch& met, const glm::vec3& to_eye, Sampler& sampler,
                      uint64_t& rays) const;

@@ -272,10 +272,14 @@ TEST(LightPaths, ScreenEqualsPathWhereTheCameraSeesEverything) {
   Scene scene = corner_scene();
   add_light(scene, LightKind::point, 2.0f, {0.7f, 0.9f, 0.6f});
   add_light(scene, LightKind::directional, 1.0f, {}, {-1, -0.6f, -0.8f});
-  Settings path = kOneBounce, screen = kOneBounce;
-  screen.mode = Mode::screen;
-  screen.seed = 1;
-  expect_same(estimates(scene, kShot, path, kSeeds), estimates(scene, kShot, screen, kSeeds));
+  for (const uint32_t bounces : {1u, 2u, 4u}) {
+    Settings path = kOneBounce;
+    path.bounces = bounces;
+    Settings screen = path;
+    screen.mode = Mode::screen;
+    screen.seed = 1;
+    expect_same(estimates(scene, kShot, path, kSeeds), estimates(scene, kShot, screen, kSeeds));
+  }
 }
 
 // Where all light is emission, what reflects to the receiver does not matter, but its lobe still

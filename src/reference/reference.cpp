@@ -24,7 +24,7 @@ constexpr uint32_t kLeastPassesForError = 4;
 
 constexpr std::array<ModeName, 4> kModeNames{{
     {"path", Mode::path, "path tracing of the scene: the truth"},
-    {"screen", Mode::screen, "one bounce off what the camera sees: the best from one view"},
+    {"screen", Mode::screen, "the same off what the camera sees alone: the best from one view"},
     {"screen-unoccluded", Mode::screen_unoccluded,
      "the sum over all pixels, through everything: what a gather on the screen estimates"},
     {"ambient", Mode::ambient, "ambient occlusion within a distance"},

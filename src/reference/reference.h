@@ -20,9 +20,9 @@
 //   path                y's emission and what y reflects, by its whole BRDF, of punctual
 //                       lights and, with more than one bounce, of other surfaces: bounces - 1
 //                       further ones; the environment's radiance where there is no y
-//   screen              y's emission and diffuse reflection of punctual lights if the camera
-//                       sees y, else 0: the most that a technique can know from one view's
-//                       G-buffer
+//   screen              y's emission and diffuse reflection, of as many bounces, if the camera sees
+//                       y and each further surface, else 0: the most that a technique can know from
+//                       one view's G-buffer
 //   screen_unoccluded   no rays: the sum over all pixels j of HSSIL (4), or (3), with visibility 1:
 //                       diffuse = sum of L_j F(x, j)
 //                       Neither of these two gets light of the environment: a G-buffer has none.
@@ -63,7 +63,7 @@ inline constexpr uint32_t kSamplesPerPass = 16;
 
 struct Settings {
   Mode mode = Mode::path;
-  uint32_t bounces = 1;  // path: 1 … kMaxBounces surfaces between a light and x
+  uint32_t bounces = 1;  // path, screen: 1 … kMaxBounces surfaces between a light and x
   // Samples a pixel takes, rounded up to whole passes of kSamplesPerPass. Of screen_unoccluded:
   // pixels that are summed, drawn evenly from those that have light; 0, or more than there are, is
   // every one.

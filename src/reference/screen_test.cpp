@@ -187,5 +187,18 @@ TEST(Screen, ReflectedLightComesFromWhatIsSeenOnly) {
   }
 }
 
+// From a lit wall behind the camera by way of one that the camera sees: it must see both.
+TEST(Screen, EverySurfaceOnTheWayMustBeSeen) {
+  Scene scene = scene_seen_from({0, 2, 2}, {0, 0, 0});
+  scene.materials[0].specular = 0.0f;
+  add_floor(scene, 0.7f);
+  const int32_t white = add_diffuse(scene, 0.8f);
+  add_quad(scene, {-2, 0, -0.6f}, {4, 0, 0}, {0, 0.5f, 0}, white);
+  add_quad(scene, {2, 0, 3}, {-4, 0, 0}, {0, 2, 0}, white);
+  add_light(scene, LightKind::directional, 1.0f, {}, {0, 0, 1});
+  EXPECT_EQ(brightest(screen_of(scene, 3)), 0.0f);
+  EXPECT_GT(brightest(rendered(scene, kShot, {.bounces = 2, .spp = 64})), 0.001f);
+}
+
 }  // namespace
 }  // namespace lueur::reference
