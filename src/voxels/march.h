@@ -9,6 +9,7 @@
 #ifndef LUEUR_VOXELS_MARCH_H
 #define LUEUR_VOXELS_MARCH_H
 
+#include "shading/screen.h"
 #include "voxels/slices.h"
 
 LUEUR_NAMESPACE_BEGIN
@@ -19,6 +20,34 @@ struct MarchBias {
   float px;
   float slices;
 };
+
+// A point in view space, in front of the eye, as a march takes it.
+LUEUR_SHARED vec3 march_point(Screen screen, vec3 position) {
+  const float z = -position.z;
+  const vec2 at_px = (vec2(position.x / z, position.y / z) - screen.ray_offset) / screen.ray_scale;
+  return vec3(at_px.x, at_px.y, z);
+}
+
+// How far along a line, 0 to 1, a coordinate that is `from` at its beginning stays within 0 ..
+// `size`.
+LUEUR_SHARED float march_share_inside(float from, float to, float size) {
+  const float room = to > from ? size - from : from;
+  return clamp(room / max(abs(to - from), 1e-6f), 0.0f, 1.0f);
+}
+
+// Where the line from `from`, a point that is inside the picture, to `to` ends for a march: there,
+// or where it leaves the picture, as nothing is known of what is outside. View space.
+LUEUR_SHARED vec3 march_end(Screen screen, vec2 extent_px, vec3 from, vec3 to) {
+  const float nearest = -1e-3f * from.z;
+  if (-to.z < nearest) to = from + (to - from) * ((from.z + nearest) / (from.z - to.z));
+  const vec3 begin = march_point(screen, from);
+  const vec3 end = march_point(screen, to);
+  const float share = min(march_share_inside(begin.x, end.x, extent_px.x),
+                          march_share_inside(begin.y, end.y, extent_px.y));
+  const float inverse_z = 1.0f / begin.z + (1.0f / end.z - 1.0f / begin.z) * share;
+  return vec3(begin.x + (end.x - begin.x) * share, begin.y + (end.y - begin.y) * share,
+              1.0f / inverse_z);
+}
 
 // What has shown good, see README.md.
 const float kMarchBiasPx = 1.5f;

@@ -104,6 +104,37 @@ TEST(March, StepsTileWhatIsTested) {
   EXPECT_EQ(march_between(line.from, line.from + vec3(3.1f, 0.0f, 0.0f), 8, kBias).steps, 1);
 }
 
+// Wherever a line goes, also behind the eye, its end is on it and in the picture, and as far away
+// as that allows.
+TEST(March, LinesEndWhereTheyLeaveThePicture) {
+  const Screen screen = test_screen(kExtent);
+  const vec2 extent_px(kExtent.width, kExtent.height);
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> x(1.0f, 95.0f), y(1.0f, 63.0f), z(1.2f, 7.0f),
+      anywhere(-9.0f, 9.0f);
+  int inside = 0, behind = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const glm::dvec3 from = in_space({x(random), y(random), z(random)});
+    const glm::dvec3 to(anywhere(random), anywhere(random), anywhere(random));
+    const vec3 end = march_end(screen, extent_px, vec3(from), vec3(to));
+    const glm::dvec3 reached = in_space(end) - from;
+    const double share = glm::dot(reached, to - from) / glm::dot(to - from, to - from);
+    ASSERT_LT(glm::length(reached - share * (to - from)), 1e-3 * glm::length(to)) << i;
+    ASSERT_GT(share, 0);
+    const double off_px = std::min({end.x, end.y, extent_px.x - end.x, extent_px.y - end.y});
+    ASSERT_GT(off_px, -1e-2) << i;
+    ASSERT_GT(end.z, 0) << i;
+    // It ends at `to`, at the picture's edge, or next to the eye.
+    if (share > 1 - 1e-4)
+      ++inside;
+    else
+      ASSERT_TRUE(off_px < 1e-2 || end.z < 1e-2) << i << ", " << off_px << ", " << end.z;
+    behind += to.z > 0;
+  }
+  EXPECT_GT(inside, 100);
+  EXPECT_GT(behind, 100);
+}
+
 // With a step a pixel, walks meet what a dense walk meets for more than a pixel, and nothing that
 // is farther than half a pixel from it.
 TEST(March, MeetsWhatADenseWalkMeets) {

@@ -8,13 +8,8 @@
 #include <numbers>
 #include <vector>
 
-#include "frame/scan_params.h"
-#include "frame/shaders.h"
 #include "shading/form_factor.h"
 #include "shading/packing.h"
-#include "support/layout.h"
-#include "techniques/hierarchical/params.h"
-#include "techniques/hierarchical/shaders.h"
 
 namespace lueur {
 namespace {
@@ -189,45 +184,6 @@ TEST(Packing, OctahedralNormalsComeBack) {
   }
   for (const vec3 axis : {vec3(0, 0, 1), vec3(0, 0, -1), vec3(1, 0, 0), vec3(0, -1, 0)})
     EXPECT_NEAR(glm::length(octahedral_decode(octahedral_encode(axis)) - axis), 0.0f, 1e-6f);
-}
-
-TEST(Layout, StructuresAgreeWithTheShaders) {
-  namespace s = shaders;
-  expect_layout(s::techniques_hierarchical_prepare_comp, "params", sizeof(PrepareParams),
-                {LUEUR_MEMBER(PrepareParams, screen), LUEUR_MEMBER(PrepareParams, view_from_world),
-                 LUEUR_MEMBER(PrepareParams, full_extent), LUEUR_MEMBER(PrepareParams, extent)});
-  expect_layout(
-      s::techniques_hierarchical_downsample_comp, "push", sizeof(DownsampleParams),
-      {LUEUR_MEMBER(DownsampleParams, screen), LUEUR_MEMBER(DownsampleParams, fine_scale),
-       LUEUR_MEMBER(DownsampleParams, fine_extent), LUEUR_MEMBER(DownsampleParams, extent)});
-  for (const gpu::ShaderCode* code :
-       {&s::techniques_hierarchical_gather_comp, &s::techniques_hierarchical_gather_all_comp})
-    expect_layout(
-        *code, "push", sizeof(GatherParams),
-        {LUEUR_MEMBER(GatherParams, screen), LUEUR_MEMBER(GatherParams, extent),
-         LUEUR_MEMBER(GatherParams, source_extent), LUEUR_MEMBER(GatherParams, inner_px),
-         LUEUR_MEMBER(GatherParams, outer_px), LUEUR_MEMBER(GatherParams, area_over_pi),
-         LUEUR_MEMBER(GatherParams, samples), LUEUR_MEMBER(GatherParams, level),
-         LUEUR_MEMBER(GatherParams, seed), LUEUR_MEMBER(GatherParams, rotate),
-         LUEUR_MEMBER(GatherParams, march_steps), LUEUR_MEMBER(GatherParams, march_scale)});
-  expect_layout(s::techniques_hierarchical_filter_comp, "push", sizeof(FilterParams),
-                {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent)});
-  expect_layout(s::techniques_hierarchical_combine_comp, "push", sizeof(UpsampleParams),
-                {LUEUR_MEMBER(UpsampleParams, screen), LUEUR_MEMBER(UpsampleParams, coarse_scale),
-                 LUEUR_MEMBER(UpsampleParams, extent), LUEUR_MEMBER(UpsampleParams, coarse_extent),
-                 LUEUR_MEMBER(UpsampleParams, own_weight)});
-  expect_layout(
-      s::techniques_hierarchical_output_comp, "params", sizeof(OutputParams),
-      {LUEUR_MEMBER(OutputParams, screen), LUEUR_MEMBER(OutputParams, view_from_world),
-       LUEUR_MEMBER(OutputParams, coarse_scale), LUEUR_MEMBER(OutputParams, extent),
-       LUEUR_MEMBER(OutputParams, coarse_extent), LUEUR_MEMBER(OutputParams, alpha_scale)});
-  expect_layout(s::frame_scan_comp, "push", sizeof(ScanParams),
-                {LUEUR_MEMBER(ScanParams, extent), LUEUR_MEMBER(ScanParams, row),
-                 LUEUR_MEMBER(ScanParams, allow_negative)});
-  expect_layout(
-      s::frame_scan_comp, "rows", sizeof(ScanRow),
-      {LUEUR_MEMBER(ScanRow, nan_pixels), LUEUR_MEMBER(ScanRow, infinite_pixels),
-       LUEUR_MEMBER(ScanRow, negative_pixels), LUEUR_MEMBER(ScanRow, inverted_first_pixel)});
 }
 
 }  // namespace

@@ -16,6 +16,6 @@ const uint march_rays = 0;
 #include "techniques/hierarchical/gather.glsl"
 #include "techniques/hierarchical/own_view.glsl"
 
-float visibility(Receiver r, ivec2 q, float z) { return 1.0; }
+float visibility(Receiver r, ivec2 q, vec4 surface) { return 1.0; }
 
 void main() { gather(p); }

@@ -3,7 +3,7 @@
 //
 // The including shader says who receives, from where, and what happens to the sum:
 //   Receiver receiver(ivec2 pixel)
-//   float visibility(Receiver r, ivec2 q, float z)      1: the patch at pixel q and depth z is seen
+//   float visibility(Receiver r, ivec2 q, vec4 surface)   1: the patch of pixel q is seen
 //   void keep(ivec2 pixel, vec4 light)
 // It binds `geometry` and `source`, and has the parameters `g` of type GatherParams.
 
@@ -23,7 +23,7 @@ struct Receiver {
 };
 
 Receiver receiver(ivec2 pixel);
-float visibility(Receiver r, ivec2 q, float z);
+float visibility(Receiver r, ivec2 q, vec4 surface);
 void keep(ivec2 pixel, vec4 light);
 
 void gather(GatherParams g) {
@@ -72,7 +72,7 @@ void gather(GatherParams g) {
                                : disc_form_factor(to_patch, n, surface[k].xyz, area_over_pi);
       vec3 arriving = s[k].rgb * factor;
       if (march_rays == 1 && arriving.r + arriving.g + arriving.b > 0.0)
-        arriving *= visibility(receivers[k], q[k], surface[k].w);
+        arriving *= visibility(receivers[k], q[k], surface[k]);
       light[k] += arriving;
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As gather_view.comp, but what is behind an obstacle gives nothing, as far as the giving view's
-// voxels tell: outside of that view all is free.
+// As gather_view.comp, but what is behind an obstacle gives nothing, as far as the voxels of one view
+// or the other tell: outside of both, all is free.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
@@ -16,22 +16,59 @@ layout(set = 0, binding = 3, rgba16f) uniform image2D indirect;
 layout(set = 0, binding = 4, scalar) uniform Params { GatherViewParams value; } params;
 layout(set = 0, binding = 5, r32ui) uniform readonly uimage2D voxels;
 layout(set = 0, binding = 6, scalar) readonly buffer Range { VoxelRange value; } range;
+layout(set = 0, binding = 7, r32ui) uniform readonly uimage2D receiver_voxels;
+layout(set = 0, binding = 8, scalar) readonly buffer ReceiverRange {
+  VoxelRange value;
+} receiver_range;
 const uint march_rays = 1;
 
 #include "techniques/hierarchical/gather.glsl"
 #include "techniques/hierarchical/other_view.glsl"
 #include "voxels/march.glsl"
+#define MARCH march_among_receivers
+#define VOXELS receiver_voxels
+#include "voxels/march.glsl"
 
-// Both ends are moved into the air in front of their surfaces: towards the eye, or away from it
-// where the view would see the receiver's back.
-float visibility(Receiver r, ivec2 q, float z) {
-  if (r.position.z > -1.0e-3) return 1.0;
-  const float bias_m = kMarchBiasSlices / range.value.slices_per_m;
-  const float side = dot(r.normal, r.position) < 0.0 ? -1.0 : 1.0;
-  const float scale = params.value.gather.march_scale;
-  return march(range.value, vec3(r.at_px * scale, max(-r.position.z + side * bias_m, 1.0e-3)),
-               vec3((vec2(q) + 0.5) * scale, z - bias_m), params.value.gather.march_steps,
-               MarchBias(kMarchBiasPx * scale, 0.0));
+// A point of a surface moved into the air in front of it, along the view's ray: towards the eye, or
+// away from it where the view would see the surface's back.
+vec3 in_air(vec3 position, vec3 normal, VoxelRange range) {
+  const float bias_m = kMarchBiasSlices / range.slices_per_m;
+  const float side = dot(normal, position) < 0.0 ? -1.0 : 1.0;
+  return position * max(1.0 + side * bias_m / max(abs(position.z), 1.0e-3), 1.0e-3);
+}
+
+// In the giving view, whose picture holds the patch.
+float visibility_there(Receiver r, vec3 patch_position, vec3 patch_normal) {
+  const GatherParams g = params.value.gather;
+  Screen screen = g.screen;
+  screen.ray_scale /= g.march_scale;
+  const vec3 from = in_air(patch_position, patch_normal, range.value);
+  const vec3 to = in_air(r.position, r.normal, range.value);
+  return march(range.value, march_point(screen, from),
+               march_end(screen, vec2(g.source_extent) * g.march_scale, from, to), g.march_steps,
+               MarchBias(kMarchBiasPx * g.march_scale, 0.0));
+}
+
+// In the receivers' own view, whose picture holds the receiver.
+float visibility_here(Receiver r, vec3 patch_position, vec3 patch_normal) {
+  const mat4 there_from_here = params.value.source_from_receiver;
+  const mat3 turn = transpose(mat3(there_from_here));
+  const vec3 from =
+      in_air(turn * (r.position - there_from_here[3].xyz), turn * r.normal, receiver_range.value);
+  const vec3 to = in_air(turn * (patch_position - there_from_here[3].xyz), turn * patch_normal,
+                         receiver_range.value);
+  const Screen screen = params.value.receiver_screen;
+  return march_among_receivers(
+      receiver_range.value, march_point(screen, from),
+      march_end(screen, vec2(params.value.gather.extent), from, to),
+      params.value.gather.march_steps, MarchBias(kMarchBiasPx, 0.0));
+}
+
+float visibility(Receiver r, ivec2 q, vec4 surface) {
+  const vec3 patch_position =
+      position_view(ray_through(params.value.gather.screen, vec2(q) + 0.5), surface.w);
+  if (visibility_there(r, patch_position, surface.xyz) == 0.0) return 0.0;
+  return visibility_here(r, patch_position, surface.xyz);
 }
 
 void main() { gather(params.value.gather); }

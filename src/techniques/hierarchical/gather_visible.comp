@@ -21,9 +21,9 @@ const uint march_rays = 1;
 #include "techniques/hierarchical/own_view.glsl"
 #include "voxels/march.glsl"
 
-float visibility(Receiver r, ivec2 q, float z) {
+float visibility(Receiver r, ivec2 q, vec4 surface) {
   return march(range.value, vec3(r.at_px * p.march_scale, -r.position.z),
-               vec3((vec2(q) + 0.5) * p.march_scale, z), p.march_steps,
+               vec3((vec2(q) + 0.5) * p.march_scale, surface.w), p.march_steps,
                MarchBias(kMarchBiasPx * p.march_scale, kMarchBiasSlices));
 }
 

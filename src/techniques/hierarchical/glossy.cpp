@@ -26,17 +26,25 @@ HierarchicalFrame::Lobes HierarchicalFrame::lobes_of(const Pyramid& pyramid) {
 Gathered HierarchicalFrame::gather_glossy(const Pyramid& pyramid, const Lobes& lobes) {
   return gather_levels(pyramid, "glossy_", [&](const Level& level, uint32_t k) {
     const Image glossy = frame_.image("glossy", level.extent, Format::rgba16f);
-    frame_.dispatch(
-        at_level("glossy_gather", k),
-        {.shader = shaders::techniques_hierarchical_gather_glossy_comp,
-         .constants = {{"importance", settings_.glossy_importance ? 1u : 0u}},
-         .params = gather_params(level, k, static_cast<uint32_t>(settings_.glossy_samples)),
-         .read = {{"geometry", level.geometry},
-                  {"source", level.source},
-                  {"lobe", lobes.codes},
-                  {"lobes", lobes.table}},
-         .write = {{"glossy", glossy}},
-         .over = level.extent});
+    const bool blocked = pyramid.voxel_range.valid();
+    const GatherParams params =
+        gather_params(level, k, static_cast<uint32_t>(settings_.glossy_samples));
+    Dispatch dispatch{
+        .shader = blocked ? shaders::techniques_hierarchical_gather_glossy_visible_comp
+                          : shaders::techniques_hierarchical_gather_glossy_comp,
+        .constants = {{"importance", settings_.glossy_importance ? 1u : 0u}},
+        .params = params,
+        .read = {{"geometry", level.geometry},
+                 {"source", level.source},
+                 {"lobe", lobes.codes},
+                 {"lobes", lobes.table}},
+        .write = {{"glossy", glossy}},
+        .over = level.extent};
+    if (blocked) {
+      dispatch.read.push_back({"voxels", pyramid.levels[voxel_level(k)].voxels});
+      dispatch.read.push_back({"range", pyramid.voxel_range});
+    }
+    frame_.dispatch(at_level("glossy_gather", k), dispatch);
     return glossy;
   });
 }

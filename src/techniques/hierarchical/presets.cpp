@@ -13,15 +13,10 @@ constexpr Setting kQuality[] = {{"visibility", "first_bounce"},
                                 {"sources", "lights"},
                                 {"feedback", "true"},
                                 {"glossy", "true"}};
-constexpr Setting kReference[] = {{"light_view_px", "1024"},
-                                  {"samples", "256"},
-                                  {"visibility", "all_bounces"},
-                                  {"visibility_steps", "32"},
-                                  {"voxel_slices", "512"},
-                                  {"sources", "lights"},
-                                  {"bounces", "3"},
-                                  {"glossy", "true"},
-                                  {"glossy_samples", "128"}};
+constexpr Setting kReference[] = {
+    {"light_view_px", "1024"},  {"samples", "256"},      {"visibility", "all_bounces"},
+    {"visibility_steps", "32"}, {"voxel_slices", "512"}, {"sources", "lights"},
+    {"bounces", "3"},           {"glossy", "true"},      {"glossy_samples", "128"}};
 
 constexpr Preset kPresets[] = {
     {"fast", "Coarse, with a short reach: for slow machines.", kFast},

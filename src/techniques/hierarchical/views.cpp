@@ -59,6 +59,8 @@ void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receiv
     if (is_blocked) {
       dispatch.read.push_back({"voxels", givers.levels[voxel_level(k)].voxels});
       dispatch.read.push_back({"range", givers.voxel_range});
+      dispatch.read.push_back({"receiver_voxels", receivers.finest().voxels});
+      dispatch.read.push_back({"receiver_range", receivers.voxel_range});
     }
     frame_.dispatch(at_level(pass, k), dispatch);
   }

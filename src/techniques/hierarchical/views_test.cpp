@@ -2,7 +2,6 @@
 // Sources that other views see, against the sum over all of their pixels in double precision.
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/type_ptr.hpp>
 #include <numbers>
 
 #include "techniques/hierarchical/hierarchical_fixture.h"
@@ -12,20 +11,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-glm::dmat4 world_from_view(const View& view) {
-  return glm::inverse(glm::dmat4(glm::make_mat4(view.view_from_world.data())));
-}
-
-// What a view with a symmetric frustum sees of a scene.
-CpuGBuffer look(const CpuScene& scene, const View& view, Extent extent) {
-  const glm::dmat4 m = world_from_view(view);
-  const double fov = 2 * std::atan(1 / std::abs(double{view.clip_from_view[5]}));
-  CpuGBuffer g = cast_g_buffer(scene, extent, fov, glm::dvec3(m[3]), glm::dmat3(m));
-  for (float& d : g.depth) d *= view.clip_from_view[14] / g.view.clip_from_view[14];
-  g.view = view;
-  return g;
-}
-
 // An engine with lights that casts rays for what other views see. All lights light alike: the
 // scene's radiance is what each of them shows.
 class CastingHost final : public Host {
@@ -33,7 +18,7 @@ class CastingHost final : public Host {
   CastingHost(CpuScene scene, std::vector<PunctualLight> lights)
       : scene_(std::move(scene)), lights_(std::move(lights)) {}
   GBuffer render_view(Frame& frame, const View& view, Extent extent, int32_t light) override {
-    seen.push_back(look(scene_, view, extent));
+    seen.push_back(seen_through(scene_, view, extent));
     asked.push_back(light);
     return seen.back().upload(frame.recorder());
   }

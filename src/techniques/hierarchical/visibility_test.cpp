@@ -2,71 +2,15 @@
 // Obstacles between what the camera sees: FDP 4, "visibility computation".
 #include <cmath>
 
-#include "techniques/hierarchical/hierarchical_fixture.h"
+#include "techniques/hierarchical/box_fixture.h"
 
 namespace lueur {
 namespace {
 
-// A box in world space, as triangles that look outwards.
-struct SolidBox {
-  glm::vec3 low, high;
-};
-
-// An engine that has triangles and nothing else.
-class TriangleHost final : public Host {
- public:
-  explicit TriangleHost(const std::vector<SolidBox>& boxes) {
-    for (const SolidBox& box : boxes) {
-      const auto first = static_cast<uint32_t>(positions_.size());
-      for (uint32_t corner = 0; corner < 8; ++corner)
-        positions_.push_back({corner & 1 ? box.high.x : box.low.x,
-                              corner & 2 ? box.high.y : box.low.y,
-                              corner & 4 ? box.high.z : box.low.z});
-      for (const uint32_t corner : {0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5, 0, 1, 5, 0, 5, 4,
-                                    2, 6, 7, 2, 7, 3, 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6})
-        indices_.push_back(first + corner);
-    }
-  }
-  GBuffer render_view(Frame&, const View&, Extent, int32_t) override { return {}; }
-  std::span<const PunctualLight> lights() const override { return {}; }
-  Box bounds() const override { return {}; }
-  std::span<const TriangleBatch> triangles(Frame& frame) override {
-    TriangleRange range{.index_count = static_cast<uint32_t>(indices_.size()), .closed = true};
-    for (size_t i = 0; i < 16; i += 5) range.world_from_object[i] = 1.0f;
-    batch_ = {.vertices = frame.recorder().upload(positions_),
-              .indices = frame.recorder().upload(indices_),
-              .ranges = {range}};
-    return {&batch_, 1};
-  }
-
- private:
-  std::vector<glm::vec3> positions_;
-  std::vector<uint32_t> indices_;
-  TriangleBatch batch_;
-};
-
-// Where a ray enters a box.
-std::optional<CpuHit> enter(const SolidBox& box, const glm::dvec3& o, const glm::dvec3& d) {
-  double near = 1e-9, far = 1e30;
-  glm::dvec3 normal(0);
-  for (int axis = 0; axis < 3; ++axis) {
-    const double a = (double{box.low[axis]} - o[axis]) / d[axis];
-    const double b = (double{box.high[axis]} - o[axis]) / d[axis];
-    if (std::min(a, b) > near) {
-      near = std::min(a, b);
-      normal = glm::dvec3(0);
-      normal[axis] = d[axis] > 0 ? -1 : 1;
-    }
-    far = std::min(far, std::max(a, b));
-  }
-  if (near >= far || normal == glm::dvec3(0)) return std::nullopt;
-  return CpuHit{o + near * d, normal, glm::dvec3(0)};
-}
-
 // A floor, seen from above, a glowing box at its left and, where asked for, a wall across its
 // middle.
 const SolidBox kFloor{{-3, -0.5f, -3}, {3, 0, 3}};
-const SolidBox kLamp{{-2.6f, 0, -1}, {-2.2f, 0.8f, 1}};
+const SolidBox kLamp{{-2.6f, 0, -1}, {-2.2f, 0.8f, 1}, 1};
 const SolidBox kWall{{-0.2f, 0, -2.9f}, {0.2f, 1.6f, 2.9f}};
 
 class VisibilityTest : public HierarchicalTest {
@@ -75,33 +19,26 @@ class VisibilityTest : public HierarchicalTest {
     std::vector<SolidBox> boxes;
     CpuGBuffer g;
   };
-  static Room room(bool with_wall) {
+  // From above; the eye's place and field of view say how much is seen.
+  static Room room(bool with_wall, double eye_x = 0, double fov_rad = 0.9) {
     Room r{{kFloor, kLamp}, {}};
     if (with_wall) r.boxes.push_back(kWall);
     const glm::dmat3 down(1, 0, 0, 0, 0.2, -std::sqrt(0.96), 0, std::sqrt(0.96), 0.2);
-    r.g = cast_g_buffer(
-        [&](const glm::dvec3& o, const glm::dvec3& d) {
-          std::optional<CpuHit> nearest;
-          for (const SolidBox& box : r.boxes) {
-            auto hit = enter(box, o, d);
-            if (!hit ||
-                (nearest && glm::length(hit->position - o) > glm::length(nearest->position - o)))
-              continue;
-            if (&box == &r.boxes[1]) hit->radiance = glm::dvec3(1);
-            nearest = hit;
-          }
-          return nearest;
-        },
-        {192, 128}, 0.9, {0, 7, 1.4}, down);
+    r.g = cast_g_buffer(scene_of(r.boxes), {192, 128}, fov_rad, {eye_x, 7, 1.4}, down);
     return r;
   }
 
-  Light light_of(const Room& r, Settings::Visibility visibility) {
+  Frames frame_of(const Room& r, Settings::Visibility visibility,
+                  std::vector<PunctualLight> lights = {}) {
     Settings s = settings_;
     s.visibility = visibility;
-    TriangleHost host(r.boxes);
+    BoxHost host(r.boxes, std::move(lights));
     Hierarchical technique(s);
-    return next_frame(technique, r.g, {.cut = true, .host = &host}).diffuse;
+    return next_frame(technique, r.g, {.cut = true, .host = &host});
+  }
+  Light light_of(const Room& r, Settings::Visibility visibility,
+                 std::vector<PunctualLight> lights = {}) {
+    return frame_of(r, visibility, std::move(lights)).diffuse;
   }
 
   // Mean over the floor between two x, away from edges.
@@ -138,6 +75,19 @@ TEST_F(VisibilityTest, AClosedWallLetsNothingThrough) {
   }
 }
 
+TEST_F(VisibilityTest, NorDoesTheFloorReflectWhatIsBehindIt) {
+  settings_.glossy = true;
+  for (const bool with_wall : {true, false}) {
+    Room r = room(with_wall);
+    r.g.reflectance.assign(r.g.depth.size(), glm::vec4(1));  // GGX, as rough as can be
+    const double open = floor_mean(r, frame_of(r, Settings::Visibility::none).specular, 0.6, 2.6);
+    const double tested =
+        floor_mean(r, frame_of(r, Settings::Visibility::first_bounce).specular, 0.6, 2.6);
+    EXPECT_GT(open, 1e-4);
+    EXPECT_NEAR(tested / open, with_wall ? 0.0 : 1.0, with_wall ? 0.02 : 0.05);
+  }
+}
+
 TEST_F(VisibilityTest, NothingIsBlockedWhereNothingStands) {
   for (const bool with_wall : {false, true}) {
     const Room r = room(with_wall);
@@ -161,6 +111,44 @@ TEST_F(VisibilityTest, AFloorDoesNotShadeItself) {
   }
   EXPECT_GT(lit, 1000);
   EXPECT_LT(dark, lit / 100);
+}
+
+// A light shines on the lamp's right side, past which its cone ends: its own voxels do not reach to
+// the wall, but the camera's do.
+TEST_F(VisibilityTest, TheCamerasVoxelsBlockWhatALightShows) {
+  settings_.sources = Settings::Sources::lights;
+  settings_.light_view_px = 96;
+  settings_.visibility_steps = 32;  // shorter than the wall is wide
+  const PunctualLight narrow{.kind = PunctualLight::Kind::spot,
+                             .position = {-1.0f, 1.2f, 0},
+                             .direction = {-0.8320503f, -0.5547002f, 0},
+                             .outer_cone_rad = 0.3f};
+  const Room r = room(true);
+  const double open = floor_mean(r, light_of(r, Settings::Visibility::none, {narrow}), 0.6, 2.6);
+  EXPECT_GT(open, 1e-3);
+  EXPECT_LT(floor_mean(r, light_of(r, Settings::Visibility::first_bounce, {narrow}), 0.6, 2.6),
+            0.02 * open);
+  // Without the wall it arrives.
+  const Room free = room(false);
+  const double tested =
+      floor_mean(free, light_of(free, Settings::Visibility::first_bounce, {narrow}), 0.6, 2.6);
+  EXPECT_NEAR(tested / open, 1.0, 0.05);
+}
+
+// The camera sees the right of the room only, but the light all of it.
+TEST_F(VisibilityTest, ALightsVoxelsBlockWhatTheCameraDoesNotSee) {
+  settings_.sources = Settings::Sources::lights;
+  settings_.light_view_px = 192;
+  settings_.visibility_steps = 32;  // shorter than the wall is wide
+  const PunctualLight wide{.kind = PunctualLight::Kind::spot,
+                           .position = {-1.0f, 3.5f, 0},
+                           .direction = {0, -1, 0},
+                           .outer_cone_rad = 1.0f};
+  const Room r = room(true, 1.9, 0.22);
+  const double open = floor_mean(r, light_of(r, Settings::Visibility::none, {wide}), 1.5, 2.6);
+  EXPECT_GT(open, 1e-3);
+  EXPECT_LT(floor_mean(r, light_of(r, Settings::Visibility::first_bounce, {wide}), 1.5, 2.6),
+            0.02 * open);
 }
 
 TEST_F(VisibilityTest, WithoutTrianglesItFails) {
