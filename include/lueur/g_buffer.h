@@ -25,7 +25,7 @@ struct GBuffer {
   Image albedo;
   // rgba16f. rgb: specular reflectance at normal incidence, linear. a from 0 to 1: a GGX lobe of
   // this perceptual roughness; a = -1 - i: the cosine lobe i of Inputs::lobes, of which rgb is the
-  // colour.
+  // colour; i is at most 2046, as half floats count no further.
   Image reflectance;
 };
 

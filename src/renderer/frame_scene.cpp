@@ -11,6 +11,12 @@ uint64_t shadow_map_bytes(const LightView& light) {
          sizeof(float);
 }
 
+// A buffer has at least one entry.
+std::vector<LobeData> never_empty(std::vector<LobeData> lobes) {
+  if (lobes.empty()) lobes.emplace_back();
+  return lobes;
+}
+
 }  // namespace
 
 FrameScene::FrameScene(Recorder& frame, const SceneOnDevice& on_device, FrameGeometry geometry,
@@ -24,7 +30,8 @@ FrameScene::FrameScene(Recorder& frame, const SceneOnDevice& on_device, FrameGeo
       bytes_to_keep_(kept_shadow_bytes),
       instances_(frame.upload(geometry_.instances)),
       deformed_(frame.upload(geometry_.deformed)),
-      materials_(frame.upload(on_device.materials())) {}
+      materials_(frame.upload(on_device.materials())),
+      lobes_(frame.upload(never_empty(on_device.cosine_lobes().lobes))) {}
 
 std::vector<Bound> FrameScene::buffers() const {
   return {{"instances", instances_}, {"deformed", deformed_}, {"materials", materials_}};

@@ -27,6 +27,8 @@ class FrameScene {
 
   // What the shaders of all draws read.
   std::vector<Bound> buffers() const;
+  // The scene's LobeData.
+  BufferRef lobes() const { return lobes_; }
   // Draws every item, changing state only where it changes. `cull`: the backs of one-sided
   // materials.
   void draw_all(DrawList& list, bool cull) const;
@@ -48,6 +50,7 @@ class FrameScene {
   BufferRef instances_;
   BufferRef deformed_;
   BufferRef materials_;
+  BufferRef lobes_;
 };
 
 }  // namespace lueur

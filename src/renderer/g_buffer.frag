@@ -49,7 +49,13 @@ void main() {
   base_color = vec4(lit ? color.rgb : vec3(0.0), 1.0);
   normal = octahedral_encode(n);
   material.rgb = lit ? vec3(m.metallic * mr.b, m.roughness * mr.g, m.specular) : vec3(0.0);
-  material.a = float(surface_bits_of_instance) / 255.0;
+  uint surface_bits = surface_bits_of_instance;
+  if (m.cosine_lobe != 0u) {
+    const uint index = m.cosine_lobe - 1u;
+    surface_bits |= kHasCosineLobe | (index >> 8);
+    material.b = float(index & 255u) / 255.0;
+  }
+  material.a = float(surface_bits) / 255.0;
   const vec3 emitted = m.emission * texture(emission_texture, normal_and_emission_uv.zw).rgb;
   emission = vec4(min(lit ? emitted : color.rgb, vec3(65504.0)), 1.0);
   motion = 0.5 * (clip_now.xy / clip_now.w - clip_before.xy / clip_before.w);

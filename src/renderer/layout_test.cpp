@@ -31,7 +31,8 @@ TEST(RendererLayout, GeometryPasses) {
          LUEUR_MEMBER(MaterialData, metallic), LUEUR_MEMBER(MaterialData, roughness),
          LUEUR_MEMBER(MaterialData, specular), LUEUR_MEMBER(MaterialData, normal_scale),
          LUEUR_MEMBER(MaterialData, alpha_cutoff), LUEUR_MEMBER(MaterialData, has_normal_map),
-         LUEUR_MEMBER(MaterialData, unlit), LUEUR_MEMBER(MaterialData, base_color_place),
+         LUEUR_MEMBER(MaterialData, unlit), LUEUR_MEMBER(MaterialData, cosine_lobe),
+         LUEUR_MEMBER(MaterialData, base_color_place),
          LUEUR_MEMBER(MaterialData, metallic_roughness_place),
          LUEUR_MEMBER(MaterialData, normal_place), LUEUR_MEMBER(MaterialData, emission_place)});
     expect_layout(*code, "push", sizeof(DrawParams), {LUEUR_MEMBER(DrawParams, material)});
@@ -55,6 +56,16 @@ TEST(RendererLayout, LightPasses) {
          LUEUR_MEMBER(LightParams, cone_scale), LUEUR_MEMBER(LightParams, cone_offset),
          LUEUR_MEMBER(LightParams, inverse_range), LUEUR_MEMBER(LightParams, shadow_near_m),
          LUEUR_MEMBER(LightParams, texel_m)});
+}
+
+TEST(RendererLayout, CosineLobes) {
+  for (const gpu::ShaderCode* code :
+       {&shaders::renderer_light_cube_comp, &shaders::renderer_light_flat_comp,
+        &shaders::renderer_reflectance_comp})
+    expect_layout(
+        *code, "lobes", sizeof(LobeData),
+        {LUEUR_MEMBER(LobeData, color), LUEUR_MEMBER(LobeData, exponent),
+         LUEUR_MEMBER(LobeData, c_xy), LUEUR_MEMBER(LobeData, c_z), LUEUR_MEMBER(LobeData, name)});
 }
 
 TEST(RendererLayout, Background) {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Direct light of one punctual light, added to the two targets: diffuse source radiance and
-// specular, which takes the diffuse light, too, of what passes no light on. The including shader brings `shadow_map` and `float shadow(vec3 position, vec3 normal,
-// vec3 to_light, float distance_m)`.
+// specular, which takes the diffuse light, too, of what passes no light on. The including shader
+// brings `shadow_map` and `float shadow(vec3 position, vec3 normal, vec3 to_light,
+// float distance_m)`.
 #include "shading/brdf.h"
+#include "shading/cosine_lobe.h"
 #include "shading/packing.h"
 #include "shading/punctual_light.h"
 #include "renderer/params.h"
@@ -16,6 +18,10 @@ layout(set = 0, binding = 3) uniform sampler2D material;
 layout(set = 0, binding = 5, rgba16f) uniform image2D source;
 layout(set = 0, binding = 6, rgba16f) uniform image2D specular;
 layout(set = 0, binding = 7, scalar) uniform Params { LightParams value; } params;
+layout(set = 0, binding = 8, scalar) readonly buffer Lobes { LobeData data[]; } lobes;
+
+// Normal maps may turn a surface away from the eye that sees it: it is then seen along itself.
+const float kLeastCosView = 1e-3;
 
 float shadow(vec3 position, vec3 n, vec3 to_light, float distance_m);
 
@@ -26,6 +32,20 @@ float shadow(vec3 position, vec3 n, vec3 to_light, float distance_m);
 // about 2.5 texels, hence 2.5 sin(alpha), and half a texel for rounding.
 vec3 shadow_position(vec3 position, vec3 n, vec3 map_axis, float texel_m) {
   return position + n * (texel_m * (0.5 + 2.5 * length(cross(n, map_axis))));
+}
+
+// `m`: a texel of `material`. Without the cosine.
+vec3 specular_brdf(vec3 color, vec4 m, vec3 n, vec3 to_light, vec3 to_eye) {
+  const float cos_view = dot(n, to_eye);
+  if (has_cosine_lobe(m)) {
+    const LobeData lobe = lobes.data[cosine_lobe_index(m)];
+    const vec3 above = normalize(to_eye + max(kLeastCosView - cos_view, 0.0) * n);
+    return lobe.color * cosine_lobe(lobe.exponent, lobe.c_xy, lobe.c_z, n, to_light, above);
+  }
+  const vec3 half_way = normalize(to_light + to_eye);
+  return ggx_brdf(specular_f0(color, m.r, m.b), specular_f90(m.r, m.b), m.g, dot(n, to_light),
+                  max(cos_view, kLeastCosView), clamp(dot(n, half_way), 0.0, 1.0),
+                  clamp(dot(to_light, half_way), 0.0, 1.0));
 }
 
 void main() {
@@ -58,9 +78,9 @@ void main() {
   irradiance *= cos_light * shadow(position, n, to_light, distance_m);
 
   const vec3 color = texelFetch(base_color, pixel, 0).rgb;
-  const vec4 mrs = texelFetch(material, pixel, 0);
-  const vec3 diffuse = diffuse_albedo(color, mrs.r) * irradiance / kPi;
-  const bool keeps = keeps_light(mrs);
+  const vec4 material_here = texelFetch(material, pixel, 0);
+  const vec3 diffuse = diffuse_albedo(color, material_here.r) * irradiance / kPi;
+  const bool keeps = keeps_light(material_here);
   if (!keeps) {
     vec4 diffuse_sum = imageLoad(source, pixel);
     diffuse_sum.rgb += diffuse;
@@ -68,13 +88,8 @@ void main() {
   }
 
   const vec3 to_eye = normalize(p.world_from_view[3].xyz - position);
-  const float cos_view = max(dot(n, to_eye), 1e-3);
-  const vec3 half_way = normalize(to_light + to_eye);
-  const vec3 brdf = ggx_brdf(specular_f0(color, mrs.r, mrs.b), specular_f90(mrs.r, mrs.b), mrs.g, cos_light, cos_view,
-                             clamp(dot(n, half_way), 0.0, 1.0),
-                             clamp(dot(to_light, half_way), 0.0, 1.0));
   vec4 specular_sum = imageLoad(specular, pixel);
-  specular_sum.rgb += brdf * irradiance;
+  specular_sum.rgb += specular_brdf(color, material_here, n, to_light, to_eye) * irradiance;
   if (keeps) specular_sum.rgb += diffuse;
   imageStore(specular, pixel, min(specular_sum, vec4(65504.0)));
 }

@@ -30,6 +30,28 @@ LUEUR_SHARED bool keeps_light(vec4 material) {
   return (surface_bits(material) & kKeepsLight) != 0u;
 }
 
+// It reflects by a cosine lobe instead of GGX. The lobe's index in the scene's table is the other
+// bits of the alpha, then the 8 bits of blue.
+const uint kHasCosineLobe = 64u;
+const uint kMostCosineLobes = 16384u;
+
+LUEUR_SHARED bool has_cosine_lobe(vec4 material) {
+  return (surface_bits(material) & kHasCosineLobe) != 0u;
+}
+
+LUEUR_SHARED uint cosine_lobe_index(vec4 material) {
+  return (surface_bits(material) & 63u) * 256u + uint(material.b * 255.0f + 0.5f);
+}
+
+// A cosine lobe of the scene's table, with its colour: see CosineLobe in lueur/g_buffer.h.
+struct LobeData {
+  vec3 color;
+  float exponent;
+  float c_xy;
+  float c_z;
+  float name;  // the alpha of GBuffer::reflectance by which techniques know it
+};
+
 struct DeformedVertex {
   vec3 position;  // object space, or world space where the instance is skinned
   vec3 position_before;
@@ -55,6 +77,7 @@ struct MaterialData {
   float alpha_cutoff;  // 0: opaque
   uint has_normal_map;
   uint unlit;
+  uint cosine_lobe;  // 0: GGX; else 1 + the index among LobeData
   TexturePlacement base_color_place;
   TexturePlacement metallic_roughness_place;
   TexturePlacement normal_place;

@@ -109,10 +109,9 @@ Result<std::unique_ptr<Renderer>> Renderer::create(gpu::System& system, Context&
     state->background = std::move(background);
   }
   state->scene = scene;
-  for (const Material& material : scene.materials)
-    if (material.phong)
-      state->warnings.push_back("material '" + material.name +
-                                "': its Phong lobe is left out of direct light");
+  if (const size_t left_out = state->on_device->cosine_lobes().left_out)
+    state->warnings.push_back(std::to_string(left_out) + " materials reflect by no Phong lobe: " +
+                              std::to_string(kMostCosineLobes) + " different ones find room");
   for (Texture& texture : state->scene.textures) texture.rgba.clear();
   if (state->scene.environment) state->scene.environment->rgb.clear();
   return std::unique_ptr<Renderer>(new Renderer(std::move(state)));
@@ -156,6 +155,7 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
                         .seed = shot.seed,
                         .previous_view = view_before,
                         .cut = cut,
+                        .lobes = state_->on_device->cosine_lobes().shapes,
                         .side_views = side_views,
                         .host = &host};
     passes.release_surfaces();

@@ -6,8 +6,8 @@
 // environment where there is no surface. The environment's light upon surfaces is indirect and left
 // to techniques: like the light of all that glows, it is in none of the images of direct light.
 //
-// A technique gets all that lueur/technique.h offers but side views; `emission` is valid if any
-// material of the scene emits.
+// A technique gets all that lueur/technique.h offers, Host included; side views are those that the
+// shot names, and `emission` is valid if any material of the scene emits.
 #pragma once
 
 #include <memory>
@@ -43,7 +43,8 @@ struct RenderedImages {
   Image depth;     // d32f, reversed z, infinitely far plane, 0 where nothing is
   Image normal;    // rg16_snorm, octahedral, world space
   Image albedo;    // rgba16f: diffuse albedo, base colour * (1 - metallic)
-  Image material;  // rgba8: r metallic, g perceptual roughness, b share of dielectric F0
+  Image material;  // rgba8: r metallic, g perceptual roughness, b share of dielectric F0;
+                   // of surfaces with a cosine lobe, g is unused and b a part of its index
   Image emission;  // rgba16f: emitted radiance
   Image motion;    // rg16f: UV now minus UV in the previous frame
   Image source;    // rgba16f: diffuse direct radiance + emission; what the technique gets

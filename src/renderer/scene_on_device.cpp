@@ -203,6 +203,7 @@ Result<void> SceneOnDevice::upload_textures(gpu::System& system, gpu::Device& de
 }
 
 void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
+  cosine_lobes_ = lobe_table(scene.materials);
   for (const Material& m : scene.materials) {
     MaterialData data{};
     data.base_color = m.base_color;
@@ -214,6 +215,7 @@ void SceneOnDevice::make_materials(Recorder& recorder, const Scene& scene) {
     data.alpha_cutoff = m.alpha_mode == AlphaMode::mask ? m.alpha_cutoff : 0.0f;
     data.has_normal_map = m.normal_texture.is_used();
     data.unlit = m.unlit;
+    data.cosine_lobe = cosine_lobes_.of_material[materials_.size()];
     data.base_color_place = placement(m.base_color_texture);
     data.metallic_roughness_place = placement(m.metallic_roughness_texture);
     data.normal_place = placement(m.normal_texture);

@@ -8,6 +8,7 @@
 
 #include "frame/recorder.h"
 #include "gpu/system.h"
+#include "renderer/lobe_table.h"
 #include "renderer/params.h"
 #include "scene/deform.h"
 #include "scene/scene.h"
@@ -56,6 +57,7 @@ class SceneOnDevice {
   // Whether any instance keeps light that others pass on.
   bool keeps_light() const { return keeps_light_; }
   const std::vector<MaterialData>& materials() const { return materials_; }
+  const LobeTable& cosine_lobes() const { return cosine_lobes_; }
   MaterialSet material_set(int32_t material) const {
     return material_sets_[static_cast<size_t>(material)];
   }
@@ -92,6 +94,7 @@ class SceneOnDevice {
   gpu::Texture white_;
   std::vector<MaterialData> materials_;
   std::vector<MaterialSet> material_sets_;
+  LobeTable cosine_lobes_;
   bool emits_ = false;
   bool keeps_light_ = false;
 };

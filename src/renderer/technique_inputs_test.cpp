@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the renderer gives to techniques without being asked.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <optional>
 
@@ -52,6 +54,57 @@ TEST_F(TechniqueInputsTest, ReflectanceIsThatOfTheMaterial) {
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflectance[c], exact[c], 0.004f) << c;
   EXPECT_NEAR(reflectance.a, 0.4f, 0.51f / 255 + 2e-4f);
   EXPECT_EQ(at("given_albedo", middle), at("albedo", middle));
+}
+
+// Panels with lobes in another order than the materials', two of one shape, and one of GGX between.
+TEST_F(TechniqueInputsTest, ReflectanceNamesTheMaterialsCosineLobe) {
+  Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0});
+  const std::array<std::optional<PhongLobe>, 5> lobes{
+      PhongLobe{{0.25f, 0.5f, 0.75f}, 12}, PhongLobe{{0.5f, 0.125f, 1}, 20, -1, 0.5f}, std::nullopt,
+      PhongLobe{{1, 0.0625f, 0.25f}, 12}, PhongLobe{{0.5f, 0.5f, 0.5f}, 20, -0.5f, 1}};
+  // More lobes than 8 bits can count come first.
+  for (int i = 0; i < 300; ++i) {
+    builtin::add_material(scene, "not seen", glm::vec3(0.5f));
+    scene.materials.back().phong = PhongLobe{glm::vec3(0.001f * static_cast<float>(i)), 99};
+  }
+  for (size_t i = lobes.size(); i-- > 0;) {
+    const int32_t material = builtin::add_material(scene, "panel", glm::vec3(0.5f), 0.6f);
+    scene.materials.back().phong = lobes[i];
+    add_quad(scene, {static_cast<float>(i) - 2.5f, -4, 0}, {1, 0, 0}, {0, 8, 0}, material);
+    // The index and this mark share bits.
+    scene.instances.back().passes_light_on = i % 2 == 0;
+  }
+  std::vector<CosineLobe> table;
+  AskingTechnique technique([&](Frame& frame, const Inputs& inputs) {
+    table.assign(inputs.lobes.begin(), inputs.lobes.end());
+    const GBuffer view = inputs.host->render_view(frame, inputs.view, kExtent);
+    frame.recorder().read_back("given_reflectance", inputs.g_buffer.reflectance);
+    frame.recorder().read_back("view_reflectance", view.reflectance);
+  });
+  render(scene, {.extent = kExtent}, &technique);
+  EXPECT_EQ(table.size(), 4u);
+  std::array<size_t, lobes.size()> seen{};
+  for (const PixelRay& ray : rays()) {
+    const double along = meet_plane(ray, {}, {0, 0, 1})->x + 2.5;
+    if (along < 0 || along > 5 || std::abs(along - std::round(along)) < 0.02) continue;
+    const auto panel = static_cast<size_t>(along);
+    const glm::vec4 given = at("given_reflectance", ray);
+    ASSERT_EQ(at("view_reflectance", ray), given);
+    ++seen[panel];
+    if (!lobes[panel]) {
+      ASSERT_NEAR(given.a, 0.6f, 0.51f / 255 + 2e-4f);
+      continue;
+    }
+    const PhongLobe& want = *lobes[panel];
+    ASSERT_EQ(glm::vec3(given), want.color) << panel;
+    ASSERT_LE(given.a, -1.0f);
+    const auto index = static_cast<size_t>(-1.0f - given.a);
+    ASSERT_LT(index, table.size());
+    ASSERT_EQ(table[index].exponent, want.exponent) << panel;
+    ASSERT_EQ(table[index].c_xy, want.c_xy) << panel;
+    ASSERT_EQ(table[index].c_z, want.c_z) << panel;
+  }
+  for (const size_t count : seen) EXPECT_GT(count, 100u);
 }
 
 TEST_F(TechniqueInputsTest, EmissionIsThereWhereSomethingEmits) {

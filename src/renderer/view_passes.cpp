@@ -81,6 +81,7 @@ void ViewPasses::add_light(size_t index) {
                 {"normal", images_.normal},
                 {"base_color", base_color_},
                 {"material", images_.material},
+                {"lobes", scene_.lobes()},
                 {"shadow_map",
                  scene_.shadow_map(index),
                  {.filter = gpu::Filter::linear, .compare = true}}},
@@ -100,12 +101,13 @@ GBuffer ViewPasses::g_buffer() {
             .motion = images_.motion,
             .albedo = images_.albedo,
             .reflectance = frame_.image("reflectance", extent_, Format::rgba16f)};
-  frame_.dispatch(name_ + ".reflectance",
-                  {.shader = shaders::renderer_reflectance_comp,
-                   .params = ReflectanceParams{as_ivec2(extent_)},
-                   .read = {{"base_color", base_color_}, {"material", images_.material}},
-                   .write = {{"reflectance", g.reflectance}},
-                   .over = extent_});
+  frame_.dispatch(name_ + ".reflectance", {.shader = shaders::renderer_reflectance_comp,
+                                           .params = ReflectanceParams{as_ivec2(extent_)},
+                                           .read = {{"base_color", base_color_},
+                                                    {"material", images_.material},
+                                                    {"lobes", scene_.lobes()}},
+                                           .write = {{"reflectance", g.reflectance}},
+                                           .over = extent_});
   g.emission = images_.emission;
   if (scene_.on_device().keeps_light()) pass_on(g);
   if (!gives_emission()) g.emission = {};

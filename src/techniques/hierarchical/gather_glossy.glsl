@@ -41,7 +41,7 @@ void main() {
 
   // The peak's way on the screen, over what it would be if the peak was parallel to the screen: near
   // 0 the lobe leads to or from the eye, and no azimuth is better than another.
-  const vec3 peak = normalize(cosine_lobe_peak(l.c_xy, l.c_z, g.xyz, to_eye));
+  const vec3 peak = cosine_lobe_axis(l.c_xy, l.c_z, g.xyz, to_eye);
   const vec2 way = way_on_screen(p.screen, position, peak) * abs(p.screen.ray_scale) * g.w;
   const float sideways = clamp(dot(way, way), 0.0, 1.0);
   const float peak_rad = atan(way.y, way.x);
