@@ -27,9 +27,9 @@ float shadow(vec3 position, vec3 n, vec3 to_light, float distance_m);
 
 // The receiver is moved off its surface, so that a surface does not shade itself. Next to a point a
 // plane's depth in the map changes by sin(alpha) cos(phi) / cos(theta) a texel, with alpha between
-// normal and `map_axis` (unit, in which the map looks), phi between axis and light ray, theta between
-// normal and light ray; an offset o along the normal gains o cos(phi) / cos(theta). The filter reaches
-// about 2.5 texels, hence 2.5 sin(alpha), and half a texel for rounding.
+// normal and `map_axis` (unit, in which the map looks), phi between axis and light ray, theta
+// between normal and light ray; an offset o along the normal gains o cos(phi) / cos(theta). The
+// filter reaches about 2.5 texels, hence 2.5 sin(alpha), and half a texel for rounding.
 vec3 shadow_position(vec3 position, vec3 n, vec3 map_axis, float texel_m) {
   return position + n * (texel_m * (0.5 + 2.5 * length(cross(n, map_axis))));
 }

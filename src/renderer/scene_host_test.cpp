@@ -73,8 +73,10 @@ class SceneHostTest : public RendererTest {
 TEST_F(SceneHostTest, TheMainViewAskedForAgainIsTheSameToTheBit) {
   ask(furnished(), [](Frame& frame, const Inputs& inputs) {
     read_back(frame, "main_", inputs.g_buffer);
-    read_back(frame, "view_",
-              inputs.host->render_view(frame, inputs.view, inputs.g_buffer.depth.extent));
+    const GBuffer view = inputs.host->render_view(frame, inputs.view, inputs.g_buffer.depth.extent);
+    read_back(frame, "view_", view);
+    // Where it was in the frame before is not known.
+    EXPECT_FALSE(view.motion.valid());
   });
   size_t lit = 0;
   for (const char* name : {"depth", "normal", "source", "emission", "albedo", "reflectance"}) {
@@ -167,6 +169,7 @@ TEST_F(SceneHostTest, LightsAreWhereTheirNodesPutThem) {
   scene.lights[1].node =
       builtin::add_node(scene, "child", {0, 1, 0}, builtin::look_along({1, -1, 0}), parent);
   scene.lights[0].range_m = 7.0f;
+  scene.lights[0].color = {0.25f, 0.5f, 1};
   builtin::animate_translation(scene, parent, 4,
                                [](float phase) { return glm::vec3(4 * phase, 0, 0); });
   const Shot shot{.extent = kExtent, .time_s = 2.5f};
@@ -184,6 +187,7 @@ TEST_F(SceneHostTest, LightsAreWhereTheirNodesPutThem) {
     EXPECT_EQ(lights[0].kind, PunctualLight::Kind::point);
     EXPECT_EQ(lights[1].kind, PunctualLight::Kind::spot);
     EXPECT_EQ(lights[2].kind, PunctualLight::Kind::directional);
+    EXPECT_EQ(glm::make_vec3(lights[0].intensity.data()), 6.0f * scene.lights[0].color);
     EXPECT_EQ(lights[0].range_m, 7.0f);
     EXPECT_FLOAT_EQ(lights[1].inner_cone_rad, 0.3f);
     EXPECT_FLOAT_EQ(lights[1].outer_cone_rad, 0.7854f);
@@ -288,8 +292,11 @@ TEST_F(SceneHostTest, RangesTellWhatIsClosed) {
     ask(scene, [&](Frame& frame, const Inputs& inputs) {
       uint32_t closed = 0, open = 0;
       for (const TriangleBatch& batch : inputs.host->triangles(frame))
-        for (const TriangleRange& range : batch.ranges)
+        for (const TriangleRange& range : batch.ranges) {
+          // Closed ones are put first.
+          EXPECT_EQ(range.first_index, range.closed || has_holes ? 0u : 12u);
           (range.closed ? closed : open) += range.index_count / 3;
+        }
       EXPECT_EQ(closed, has_holes ? 0u : 4u);
       EXPECT_EQ(open, has_holes ? 6u : 2u);
     });

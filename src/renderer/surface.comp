@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Starts the light targets: emission is the first source radiance, or the first specular one where
-// an object passes no light on; and writes the diffuse albedo that the composition multiplies indirect light with.
+// an object passes no light on; and writes the diffuse albedo that the composition multiplies
+// indirect light with.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
