@@ -44,7 +44,7 @@ TEST_F(TechniqueInputsTest, ReflectanceIsThatOfTheMaterial) {
   Material material;
   material.base_color = {1.0f, 0.5f, 0.25f, 1.0f};
   material.metallic = 0.5f;
-  material.roughness = 0.4f;
+  material.roughness = 0.1f;
   material.specular = 0.5f;
   inputs_for(wall(material));
   const PixelRay middle = rays()[24 * 64 + 32];
@@ -52,7 +52,7 @@ TEST_F(TechniqueInputsTest, ReflectanceIsThatOfTheMaterial) {
   // Half of a dielectric's 0.04, then half way to the base colour; 8 bits hold all numbers.
   const float exact[] = {0.51f, 0.26f, 0.135f};
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(reflectance[c], exact[c], 0.004f) << c;
-  EXPECT_NEAR(reflectance.a, 0.4f, 0.51f / 255 + 2e-4f);
+  EXPECT_NEAR(reflectance.a, 0.1f, 0.51f / 255 + 2e-4f);
   EXPECT_EQ(at("given_albedo", middle), at("albedo", middle));
 }
 
@@ -126,8 +126,9 @@ TEST_F(TechniqueInputsTest, MotionLeadsToThePreviousView) {
   channel.times_s = {0.0f, 1.0f};
   channel.values = {{0, 0, 3, 0}, {1, 0, 3, 0}};
   scene.animation.push_back(channel);
-  const Shot shot{.extent = kExtent, .time_s = 0.5f, .previous_time_s = 0.25f};
+  const Shot shot{.extent = kExtent, .time_s = 0.5f, .previous_time_s = 0.25f, .seed = 7};
   const Inputs inputs = inputs_for(scene, shot);
+  EXPECT_EQ(inputs.seed, 7u);
   EXPECT_EQ(inputs.view.view_from_world, view_of(scene, shot).view_from_world);
   const View before = view_of(scene, {.extent = kExtent, .time_s = 0.25f});
   EXPECT_EQ(inputs.previous_view.view_from_world, before.view_from_world);
