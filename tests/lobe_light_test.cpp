@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Direct light through Phong's and Lafortune's lobes: the rasterizer's against the reference's.
+// Light through Phong's and Lafortune's lobes against the reference's: the rasterizer's direct
+// light, and the technique's glossy light by the renderer's G-buffer and table.
 #include <algorithm>
 #include <array>
 #include <cmath>
