@@ -109,10 +109,69 @@ TEST_F(CliCompare, PaperMakesItsFigures) {
   EXPECT_NEAR(shares, 1.0, 0.01);
 }
 
+// The rows of the tables of a section, without their names.
+std::vector<Json> rows_of(const Json& section) {
+  std::vector<Json> rows;
+  for (const Json& block : section["blocks"])
+    if (block["kind"] == "table")
+      rows.insert(rows.end(), block["rows"].begin(), block["rows"].end());
+  return rows;
+}
+
+TEST_F(CliCompare, PaperOfTheDeferredPipeline) {
+  const Ended ended = run({"paper", "fdp", "--size", "64x36", "--picture-size", "96x54", "--spp",
+                           "16", "--frames", "1", "--json", "-o", "out"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json printed = Json::parse(ended.out);
+  ASSERT_EQ(printed["sections"].size(), 6u);
+  EXPECT_TRUE(fs::exists(folder_ / "out/index.html"));
+
+  // Figure 2: equation (4) is less noisy than (3), and has no brighter spikes.
+  const std::vector<Json> form_factors = rows_of(printed["sections"][0]);
+  ASSERT_EQ(form_factors.size(), 2u);
+  for (const size_t column : {1u, 2u})
+    EXPECT_LT(form_factors[1][column].get<double>(), form_factors[0][column].get<double>());
+
+  // Figure 3: so is the glossy floor with importance sampling.
+  const std::vector<Json> glossy = rows_of(printed["sections"][1]);
+  ASSERT_EQ(glossy.size(), 2u);
+  for (const size_t column : {1u, 2u})
+    EXPECT_LT(glossy[1][column].get<double>(), glossy[0][column].get<double>());
+
+  // Figure 7: both ways to march, and rays, take some of the light, and not all.
+  const std::vector<Json> visibility = rows_of(printed["sections"][3]);
+  ASSERT_EQ(visibility.size(), 3u);
+  for (const Json& row : visibility) {
+    EXPECT_GT(row[1].get<double>(), 0.02);
+    EXPECT_LT(row[1].get<double>(), 0.9);
+  }
+
+  // Figure 9: every cell that the paper has, ours has, too, but for the mipmaps, which it leaves
+  // out; and the other way round.
+  const std::vector<Json> costs = rows_of(printed["sections"][4]);
+  ASSERT_GT(costs.size(), 18u);
+  for (size_t i = 0; i < 19; ++i)
+    for (size_t column = 1; column < costs[i].size(); column += 2)
+      if (costs[i][0] == "mipmapping")
+        EXPECT_GT(costs[i][column + 1].get<double>(), 0.0);
+      else
+        EXPECT_EQ(costs[i][column].is_null(), costs[i][column + 1].is_null()) << costs[i];
+  EXPECT_EQ(costs[8][0], "all");
+  EXPECT_EQ(costs[8][1], 1.0);
+  EXPECT_EQ(costs[8][2], 1.0);
+
+  // Figure 10: 256 samples are nearer to every pixel than 64.
+  const std::vector<Json> starts = rows_of(printed["sections"][5]);
+  ASSERT_EQ(starts.size(), 4u);
+  for (const size_t first : {0u, 2u})
+    EXPECT_LT(starts[first + 1][1].get<double>(), starts[first][1].get<double>());
+}
+
 TEST_F(CliCompare, PaperUsageErrors) {
   expect_error(2, {"paper"}, "NAME");
-  expect_error(2, {"paper", "siggraph"}, "hssil");
+  expect_error(2, {"paper", "siggraph"}, "fdp");
   expect_error(2, {"paper", "hssil", "--figures", "9"}, "4, 5, 6");
+  expect_error(2, {"paper", "fdp", "--figures", "2,5"}, "2, 3, 6, 7, 9, 10");
   expect_error(2, {"paper", "hssil", "--frames", "0"}, "--frames");
   expect_error(2, {"paper", "hssil", "--size", "8"}, "--size");
 }

@@ -40,6 +40,7 @@ Json run_json(const Candidate& candidate, const Summary& summary) {
                {"settings", settings_json(technique.info, technique.technique.get())}};
   put(json, "technique_ms", summary.technique_ms);
   json["technique_cpu_ms"] = rounded_ms(summary.technique_cpu_ms);
+  put(json, "host_ms", summary.host_ms);
   put(json, "frame_ms", summary.frame_ms);
   put(json, "wall_ms", summary.wall_ms);
   put(json, "cpu_ms", summary.cpu_ms);

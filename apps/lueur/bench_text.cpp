@@ -51,6 +51,8 @@ std::string run_text(const Candidate& candidate, const Summary& summary) {
   }
   text += name_cell("technique") + spread_cells(summary.technique_ms) +
           format("%10.3f\n", summary.technique_cpu_ms);
+  if (summary.host_ms.most > 0.0)
+    text += name_cell("host, for the technique") + spread_cells(summary.host_ms) + "\n";
   text += name_cell("all passes") + spread_cells(summary.frame_ms) + "\n";
   text += name_cell("frame, wall and process") + spread_cells(summary.wall_ms) +
           format("%10.3f\n", summary.cpu_ms.median);

@@ -95,12 +95,17 @@ constexpr char kFooter[] =
     "figures.json. Times are ratios within each table, taken in turn as by `lueur bench`.\n"
     "References come from the cache where it has them, see `lueur reference`.\n"
     "\n"
+    "fdp: figure 2 (point to point beside point to disc, cornell), 3 (where samples lie; a glossy\n"
+    "floor without and with importance sampling, dominoes), 6 (as hssil's 4), 7 (without and with\n"
+    "visibility, table), 9 (what settings cost, level by level, atrium) and 10 (fewer pixels or\n"
+    "fewer samples, atrium).\n"
     "hssil: figure 4 (what each level contributes, spot-floor), 5 (point to point and point to\n"
     "disc form factor beside the truth, with a slice, cornell) and 6 with 7 (what settings and\n"
     "levels cost, atrium).\n"
     "\n"
     "Examples:\n"
     "  lueur paper hssil -o out/hssil\n"
+    "  lueur paper fdp --figures 2,7 --picture-size 640x360 -o out/fdp\n"
     "  lueur paper hssil --figures 6 --frames 31\n";
 
 }  // namespace
@@ -111,7 +116,7 @@ void add_paper(CLI::App& program, Outcome& outcome) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     command->add_option(flag, value, help)->type_name(type);
   };
-  command->add_option("NAME", options->name, "The paper: hssil")->type_name("")->required();
+  command->add_option("NAME", options->name, "The paper: fdp or hssil")->type_name("")->required();
   add("-o,--output", options->folder, "Folder of the page, made if it is missing", "FOLDER");
   add("--figures", options->figures, "Such as 4,6 (default: all)", "N,N...");
   add("--size", options->size, "Of tables of times (default 1280x720)", "WxH");

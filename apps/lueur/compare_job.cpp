@@ -88,7 +88,7 @@ report::Entry entry_of(const Candidate& candidate, const Summary& summary,
   entry.technique_ms = rounded_ms(summary.technique_ms.median);
   entry.frame_ms = rounded_ms(summary.frame_ms.median);
   for (const PassSummary& pass : summary.passes)
-    if (pass.name.starts_with(entry.technique + "."))
+    if (owner_of(pass.name, candidate.technique) != PassOwner::host)
       entry.passes.push_back({pass.name, rounded_ms(pass.gpu_ms.median)});
   entry.pictures = pictures_of(pixels);
   return entry;

@@ -11,12 +11,25 @@ namespace lueur::cli {
 namespace {
 
 constexpr PaperFigure kHssilFigures[] = {
-    {"4", "Figure 4: what each level contributes", hssil::levels},
+    {"4", "Figure 4: what each level contributes", level_shares},
     {"5", "Figure 5: point to point, point to disc, and the truth", hssil::form_factors},
     {"6", "Figures 6 and 7: what settings and levels cost", hssil::costs},
 };
 
+constexpr PaperFigure kFdpFigures[] = {
+    {"2", "Figure 2: point to point and point to disc", fdp::form_factors},
+    {"3", "Figure 3: where samples lie, and glossy reflection", fdp::glossy},
+    {"6", "Figure 6: what each level contributes", level_shares},
+    {"7", "Figure 7: indirect shadows", fdp::visibility},
+    {"9", "Figure 9: what settings and levels cost", fdp::costs},
+    {"10", "Figure 10: fewer pixels or fewer samples", fdp::starts},
+};
+
 constexpr Paper kPapers[] = {
+    {"fdp",
+     "A Fast Deferred Shading Pipeline for Real Time Approximate Indirect Illumination (Soler, "
+     "Hoel, Rochet)",
+     kFdpFigures},
     {"hssil",
      "Hierarchical Screen-Space Indirect Illumination for Video Games (INRIA RR-7162, 2009)",
      kHssilFigures},

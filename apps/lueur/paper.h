@@ -42,15 +42,30 @@ struct Paper {
 };
 std::span<const Paper> papers();
 
+// What each level contributes: HSSIL's figure 4 and FDP's figure 6.
+Result<report::FigureSection> level_shares(Session& session, const PaperSetup& setup);
+
 // HSSIL: Soler, Hoel, Rochet, Holzschuch, INRIA RR-7162, 2009.
 namespace hssil {
-// Figure 4: what each level contributes.
-Result<report::FigureSection> levels(Session& session, const PaperSetup& setup);
 // Figure 5: equation (3) beside equation (4) beside the truth, with a slice through each.
 Result<report::FigureSection> form_factors(Session& session, const PaperSetup& setup);
 // Figures 6 and 7: what settings and levels cost.
 Result<report::FigureSection> costs(Session& session, const PaperSetup& setup);
 }  // namespace hssil
+
+// FDP: Soler, Hoel, Rochet.
+namespace fdp {
+// Figure 2: equation (3) beside equation (4).
+Result<report::FigureSection> form_factors(Session& session, const PaperSetup& setup);
+// Figure 3: where samples lie, and a glossy floor without and with importance sampling.
+Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup);
+// Figure 7: without and with visibility, and what that takes away.
+Result<report::FigureSection> visibility(Session& session, const PaperSetup& setup);
+// Figure 9: what settings cost, level by level.
+Result<report::FigureSection> costs(Session& session, const PaperSetup& setup);
+// Figure 10: fewer pixels or fewer samples.
+Result<report::FigureSection> starts(Session& session, const PaperSetup& setup);
+}  // namespace fdp
 
 // `lueur paper`: which figures of which paper, and where to.
 struct PaperJob {

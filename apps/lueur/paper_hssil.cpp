@@ -1,46 +1,12 @@
 // SPDX-License-Identifier: MIT
-// HSSIL figures 4, 6 and 7.
-#include <cmath>
+// HSSIL figures 6 and 7.
 #include <string>
 
 #include "base/try.h"
-#include "candidate.h"
-#include "image/exposure.h"
-#include "image/mask.h"
-#include "image/tone_map.h"
-#include "paper.h"
-#include "picture.h"
-#include "timing.h"
+#include "paper_parts.h"
 
 namespace lueur::cli::hssil {
 namespace {
-
-// The paper's rings go from r to 2 r with r = 20, and each level takes the same number of samples.
-const std::vector<std::string> kPaperSettings = {"radius=40", "sample_growth=1"};
-
-// --- figure 4 ------------------------------------------------------------------------------------
-
-constexpr uint32_t kLevels = 4;
-
-double mean_luminance(const ImageF& light, const Mask& surfaces) {
-  double sum = 0.0;
-  for (size_t i = 0; i < surfaces.counts.size(); ++i)
-    if (counts(&surfaces, i)) sum += static_cast<double>(luminance_at(light, i));
-  return sum / static_cast<double>(surfaces.pixel_count());
-}
-
-// The relative root mean square of a - b over that of b.
-double relative_difference(const ImageF& a, const ImageF& b) {
-  double difference = 0.0, whole = 0.0;
-  for (size_t i = 0; i < b.samples.size(); ++i) {
-    const auto d = static_cast<double>(a.samples[i]) - static_cast<double>(b.samples[i]);
-    difference += d * d;
-    whole += static_cast<double>(b.samples[i]) * static_cast<double>(b.samples[i]);
-  }
-  return whole > 0.0 ? std::sqrt(difference / whole) : 0.0;
-}
-
-// --- figures 6 and 7 -----------------------------------------------------------------------------
 
 struct CostRow {
   const char* start;
@@ -63,28 +29,15 @@ std::string name_of(const CostRow& row) {
          std::to_string(row.samples) + " samples";
 }
 
-double gather_ms_of(const FrameTimes& frame) {
-  return group_ms(frame, "hierarchical.gather");
-}
-
-// Medians over the rounds of what `of` says about the times of two candidates in one round.
-template <class Of>
-double in_turn(const Rounds& rounds, size_t candidate, size_t base, Of of) {
-  std::vector<double> values;
-  for (size_t i = 0; i < rounds[candidate].size(); ++i)
-    values.push_back(of(rounds[candidate][i], rounds[base][i]));
-  return distribution(std::move(values)).median;
-}
-
 Result<std::vector<Candidate>> cost_candidates(Session& session, const PaperSetup& setup) {
   std::vector<CandidateRequest> requests;
   for (const CostRow& row : kCosts) {
-    std::vector<std::string> settings = kPaperSettings;
-    settings.push_back(std::string("start=") + row.start);
-    settings.push_back("levels=" + std::to_string(row.levels));
-    settings.push_back("samples=" + std::to_string(row.samples));
-    LUEUR_TRY(technique, choose_technique("hierarchical", settings));
-    requests.push_back({technique.label, "atrium", setup.table_size, std::move(technique)});
+    LUEUR_TRY(request,
+              hierarchical_request("atrium", setup.table_size,
+                                   paper_settings({std::string("start=") + row.start,
+                                                   "levels=" + std::to_string(row.levels),
+                                                   "samples=" + std::to_string(row.samples)})));
+    requests.push_back(std::move(request));
   }
   return make_candidates(session, std::move(requests), "", setup.seed);
 }
@@ -98,17 +51,16 @@ report::Table cost_table(const Rounds& rounds, std::span<const Candidate> candid
   for (size_t i = 0; i < std::size(kCosts); ++i) {
     const CostRow& row = kCosts[i];
     const CostRow& base = kCosts[kBase];
-    table.rows.push_back({name_of(row), row.gather_ms[0] / base.gather_ms[0],
-                          row.gather_ms[1] / base.gather_ms[1],
-                          in_turn(rounds, i, kBase,
-                                  [](const FrameTimes& a, const FrameTimes& b) {
-                                    return gather_ms_of(a) / gather_ms_of(b);
-                                  }),
-                          row.total_ms[0] / base.total_ms[0], row.total_ms[1] / base.total_ms[1],
-                          in_turn(rounds, i, kBase, [&](const FrameTimes& a, const FrameTimes& b) {
-                            return technique_ms(a, candidates[i].technique) /
-                                   technique_ms(b, candidates[kBase].technique);
-                          })});
+    table.rows.push_back(
+        {name_of(row), row.gather_ms[0] / base.gather_ms[0], row.gather_ms[1] / base.gather_ms[1],
+         in_turn(
+             rounds, i, kBase,
+             [](const FrameTimes& a, const FrameTimes& b) { return gather_ms(a) / gather_ms(b); }),
+         row.total_ms[0] / base.total_ms[0], row.total_ms[1] / base.total_ms[1],
+         in_turn(rounds, i, kBase, [&](const FrameTimes& a, const FrameTimes& b) {
+           return technique_ms(a.passes, candidates[i].technique) /
+                  technique_ms(b.passes, candidates[kBase].technique);
+         })});
   }
   return table;
 }
@@ -116,21 +68,22 @@ report::Table cost_table(const Rounds& rounds, std::span<const Candidate> candid
 report::Table claim_table(const Rounds& rounds, std::span<const Candidate> candidates) {
   const auto ratio = [&](size_t a, size_t b) {
     return in_turn(rounds, a, b, [&](const FrameTimes& x, const FrameTimes& y) {
-      return technique_ms(x, candidates[a].technique) / technique_ms(y, candidates[b].technique);
+      return technique_ms(x.passes, candidates[a].technique) /
+             technique_ms(y.passes, candidates[b].technique);
     });
   };
   const auto paper = [](size_t a, size_t b, int card) {
     return kCosts[a].total_ms[card] / kCosts[b].total_ms[card];
   };
   const double first_level = in_turn(rounds, kBase, kBase, [](const auto& frame, const auto&) {
-    return total_ms(frame.passes, "hierarchical.gather@0") / gather_ms_of(frame);
+    return total_ms(frame.passes, "hierarchical.gather@0") / gather_ms(frame);
   });
   const double gather = in_turn(rounds, kBase, kBase, [&](const auto& frame, const auto&) {
-    return gather_ms_of(frame) / technique_ms(frame, candidates[kBase].technique);
+    return gather_ms(frame) / technique_ms(frame.passes, candidates[kBase].technique);
   });
-  const double fifth_gather = in_turn(
-      rounds, kFiveLevels, kBase,
-      [](const FrameTimes& a, const FrameTimes& b) { return gather_ms_of(a) / gather_ms_of(b); });
+  const double fifth_gather =
+      in_turn(rounds, kFiveLevels, kBase,
+              [](const FrameTimes& a, const FrameTimes& b) { return gather_ms(a) / gather_ms(b); });
   report::Table table{"What the paper says of them", {}, {}};
   table.columns = {{"", "", "", 3},
                    {"8800 GTS", "", "paper", 3},
@@ -158,56 +111,6 @@ report::Table claim_table(const Rounds& rounds, std::span<const Candidate> candi
 }
 
 }  // namespace
-
-Result<report::FigureSection> levels(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(loaded, load_scene("spot-floor"));
-  const float exposure_ev = loaded.scene.exposure_ev.value_or(0.0f);
-  std::vector<CandidateRequest> requests;
-  for (uint32_t only = 0; only <= kLevels; ++only) {
-    std::vector<std::string> settings = kPaperSettings;
-    settings.push_back("start=quarter");
-    settings.push_back("levels=" + std::to_string(kLevels));
-    settings.push_back("only_level=" + std::to_string(only));
-    LUEUR_TRY(technique, choose_technique("hierarchical", settings));
-    requests.push_back({technique.label, "spot-floor", setup.picture_size, std::move(technique)});
-  }
-  LUEUR_TRY(candidates, make_candidates(session, std::move(requests), "", setup.seed));
-
-  // One frame with all levels, and one with each alone.
-  LUEUR_TRY(whole, render_candidate(session, candidates[0], kAllImages));
-  const Mask surfaces = mask_of(as_image(*find_pixels(whole.pixels, "depth"), 1));
-  const ImageF all = as_image(*find_pixels(whole.pixels, "indirect"), 3);
-  const ImageF composed = as_image(*find_pixels(whole.pixels, "composed"), 3);
-  const auto shown = [&](const ImageF& light, float brighter_ev) {
-    return to_display(light, exposure_ev + brighter_ev, ToneMap::khronos_neutral);
-  };
-  report::PictureRow row{
-      {}, "spot-floor, quarter start. Indirect light is E/π before albedo, one stop brighter."};
-  report::Table table{"Share of the indirect light", {}, {}};
-  table.columns = {{"level", "", "", 3}, {"reaches", "px", "", 4}, {"share", "", "", 3}};
-  ImageF sum(all.width, all.height, 3);
-  const double mean = mean_luminance(all, surfaces);
-  for (uint32_t level = 1; level <= kLevels; ++level) {
-    LUEUR_TRY(frame, render_candidate(session, candidates[level], {"indirect"}));
-    const ImageF light = as_image(*find_pixels(frame.pixels, "indirect"), 3);
-    for (size_t i = 0; i < sum.samples.size(); ++i) sum.samples[i] += light.samples[i];
-    row.pictures.push_back(
-        {shown(light, 1.0f), "Indirect, level " + std::to_string(level) + " only", {}});
-    // Quarter start: a pixel of level 1 is four of the picture's.
-    table.rows.push_back({std::to_string(level), 80.0 * std::exp2(level),
-                          mean > 0.0 ? mean_luminance(light, surfaces) / mean : 0.0});
-  }
-  row.pictures.push_back({shown(all, 1.0f), "Indirect, all levels", {}});
-  row.pictures.push_back({shown(composed, 0.0f), "Final image", {}});
-  report::FigureSection section;
-  section.blocks = {
-      row, table,
-      report::Paragraph{"The paper: up-sampling introduces no bias. Here the levels' pictures add "
-                        "up to the one of all levels with a relative difference of " +
-                        std::to_string(relative_difference(sum, all)) +
-                        "; what is left is the rounding of half floats."}};
-  return section;
-}
 
 Result<report::FigureSection> costs(Session& session, const PaperSetup& setup) {
   LUEUR_TRY(candidates, cost_candidates(session, setup));

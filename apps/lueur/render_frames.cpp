@@ -8,6 +8,7 @@
 #include "picture.h"
 #include "render_output.h"
 #include "statistics.h"
+#include "timing.h"
 #include "video.h"
 #include "view_picture.h"
 
@@ -19,9 +20,11 @@ class Times {
  public:
   void add(const std::vector<PassTime>& passes) { frames_.push_back(passes); }
 
-  double median_ms(std::string_view prefix) const {
+  // Of what `ms_of` takes from a frame's passes.
+  template <class MsOf>
+  double median_ms(MsOf ms_of) const {
     std::vector<double> all;
-    for (const std::vector<PassTime>& passes : frames_) all.push_back(total_ms(passes, prefix));
+    for (const std::vector<PassTime>& passes : frames_) all.push_back(ms_of(passes));
     return all.empty() ? 0.0 : distribution(std::move(all)).median;
   }
   // Of each pass over the frames that have it, in the order of the first frame.
@@ -136,8 +139,11 @@ Result<void> render_frames(const RenderJob& job, Session& session, Renderer& ren
     ++*report.frames;
   }
   report.passes = times.median_passes();
-  report.technique_ms = job.technique.info ? times.median_ms(job.technique.name() + ".") : 0.0;
-  report.frame_ms = times.median_ms("");
+  report.technique_ms =
+      times.median_ms([&](const auto& passes) { return technique_ms(passes, job.technique); });
+  report.host_ms =
+      times.median_ms([&](const auto& passes) { return host_ms(passes, job.technique); });
+  report.frame_ms = times.median_ms([](const auto& passes) { return total_ms(passes, ""); });
   return files.finish(report.outputs);
 }
 

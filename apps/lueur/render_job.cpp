@@ -13,6 +13,7 @@
 #include "render_output.h"
 #include "render_report.h"
 #include "session.h"
+#include "timing.h"
 
 namespace lueur::cli {
 namespace {
@@ -62,8 +63,8 @@ Result<void> make_picture(const RenderJob& job, Session& session, Renderer& rend
   const Shot shot = moving_shot(job.pace, job.setup, cameras, 0);
   LUEUR_TRY(frame, render_picture(job, session, renderer, shot, report));
   report.passes = frame.passes;
-  report.technique_ms =
-      job.technique.info ? total_ms(frame.passes, job.technique.name() + ".") : 0.0;
+  report.technique_ms = technique_ms(frame.passes, job.technique);
+  report.host_ms = host_ms(frame.passes, job.technique);
   report.frame_ms = total_ms(frame.passes, "");
   report.findings = frame.findings;
   report.views = frame.written;

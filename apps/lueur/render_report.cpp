@@ -57,6 +57,7 @@ Json report_json(const RenderJob& job, const RenderReport& report) {
   json["tone_map"] = job.tone_map_name;
   json["passes"] = passes_json(report.passes);
   json["technique_ms"] = rounded_ms(report.technique_ms);
+  json["host_ms"] = rounded_ms(report.host_ms);
   json["frame_ms"] = rounded_ms(report.frame_ms);
   if (report.memory) {
     json["memory_bytes"] = report.memory->total_bytes;

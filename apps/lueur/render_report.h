@@ -21,6 +21,7 @@ struct RenderReport {
   float exposure_ev = 0;
   std::vector<PassTime> passes;  // of the picture, or medians of all frames
   double technique_ms = 0;
+  double host_ms = 0;  // what the host renders for the technique alone
   double frame_ms = 0;
   std::optional<MemoryUse> memory;         // of one frame without copies for the CPU
   std::optional<double> off_screen_share;  // of `hierarchical`

@@ -55,6 +55,14 @@ double frame_ms(const FrameTimes& frame) {
   return total_ms(frame.passes, "");
 }
 
+double ms_of(const std::vector<PassTime>& passes, const ChosenTechnique& technique,
+             PassOwner owner) {
+  double ms = 0;
+  for (const PassTime& pass : passes)
+    if (owner_of(pass.name, technique) == owner) ms += pass.gpu_ms;
+  return ms;
+}
+
 // All frames of a candidate have the same passes, each name once.
 void summarize_passes(const Frames& frames, const Candidate& candidate, Summary& summary) {
   const std::vector<PassTime>& passes = frames.front().passes;
@@ -100,17 +108,19 @@ std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> 
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Frames& frames = rounds[i];
     const auto of_technique = [&](const FrameTimes& f) {
-      return technique_ms(f, candidates[i].technique);
+      return technique_ms(f.passes, candidates[i].technique);
     };
     Summary summary;
     summarize_passes(frames, candidates[i], summary);
     summary.technique_ms = over(frames, of_technique);
     summary.technique_cpu_ms = cpu_share(frames, of_technique);
+    summary.host_ms = over(
+        frames, [&](const FrameTimes& f) { return host_ms(f.passes, candidates[i].technique); });
     summary.frame_ms = over(frames, frame_ms);
     summary.wall_ms = over(frames, [](const FrameTimes& f) { return f.wall_ms; });
     summary.cpu_ms = over(frames, [](const FrameTimes& f) { return f.cpu_ms; });
     const auto of_first = [&](const FrameTimes& f) {
-      return technique_ms(f, candidates.front().technique);
+      return technique_ms(f.passes, candidates.front().technique);
     };
     summary.technique_ratio = ratio(frames, rounds.front(), of_technique, of_first);
     summary.frame_ratio = ratio(frames, rounds.front(), frame_ms, frame_ms);
@@ -132,8 +142,19 @@ std::vector<std::string> group_names(const FrameTimes& frame) {
   return names;
 }
 
-double technique_ms(const FrameTimes& frame, const ChosenTechnique& technique) {
-  return technique.info ? total_ms(frame.passes, technique.name() + ".") : 0.0;
+PassOwner owner_of(const std::string& pass, const ChosenTechnique& technique) {
+  if (!technique.info) return PassOwner::host;
+  if (pass.starts_with(technique.name() + ".") || pass.starts_with("voxels."))
+    return PassOwner::technique;
+  return pass.starts_with("renderer.view.") ? PassOwner::host_for_technique : PassOwner::host;
+}
+
+double technique_ms(const std::vector<PassTime>& passes, const ChosenTechnique& technique) {
+  return ms_of(passes, technique, PassOwner::technique);
+}
+
+double host_ms(const std::vector<PassTime>& passes, const ChosenTechnique& technique) {
+  return ms_of(passes, technique, PassOwner::host_for_technique);
 }
 
 double group_ms(const FrameTimes& frame, const std::string& group) {

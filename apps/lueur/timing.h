@@ -44,6 +44,7 @@ struct Summary {
   std::vector<PassSummary> groups;
   Distribution technique_ms;    // sum of the technique's passes
   double technique_cpu_ms = 0;  // as in PassSummary
+  Distribution host_ms;         // sum of what the host renders for the technique alone
   Distribution frame_ms;        // sum of all passes
   Distribution wall_ms;
   Distribution cpu_ms;
@@ -61,8 +62,17 @@ std::string group_of(const std::string& pass);
 // The groups of a frame, each once, in the order of the passes.
 std::vector<std::string> group_names(const FrameTimes& frame);
 
-// GPU time of a technique's passes, 0 for none, and of a group of passes.
-double technique_ms(const FrameTimes& frame, const ChosenTechnique& technique);
+// Who a pass is for: without the technique, the technique's and the host's for it would not be
+// there.
+enum class PassOwner : uint8_t { technique, host_for_technique, host };
+
+// A technique has its own passes, "NAME.*", and those of the voxels that it has made, "voxels.*".
+// What the host renders because the technique asks for it are other views, "renderer.view.*".
+PassOwner owner_of(const std::string& pass, const ChosenTechnique& technique);
+
+// GPU time of the passes of that owner, and of a group of passes.
+double technique_ms(const std::vector<PassTime>& passes, const ChosenTechnique& technique);
+double host_ms(const std::vector<PassTime>& passes, const ChosenTechnique& technique);
 double group_ms(const FrameTimes& frame, const std::string& group);
 
 }  // namespace lueur::cli

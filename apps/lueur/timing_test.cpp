@@ -61,6 +61,26 @@ TEST(Timing, PassesAndGroupsAreSummarised) {
   EXPECT_EQ(summary.frame_ratio, 1.0);
 }
 
+// What would not be there without the technique is told: its own work and its voxels as its time,
+// other views as the host's for it.
+TEST(Timing, VoxelsAreTheTechniquesAndOtherViewsTheHosts) {
+  std::vector<Candidate> candidates;
+  candidates.push_back(candidate("hierarchical"));
+  candidates.push_back(candidate("none"));
+  FrameTimes times = frame(4, 1, 10);
+  times.passes.push_back({"voxels.solid", 16});
+  times.passes.push_back({"voxels.level@1", 32});
+  times.passes.push_back({"renderer.view.g_buffer", 64});
+  times.passes.push_back({"renderer.view.light", 128});
+  times.passes.push_back({"renderer.g_buffer", 256});
+  const std::vector<Summary> all = summarize({{times}, {frame(0, 0, 5)}}, candidates);
+  EXPECT_EQ(all[0].technique_ms.median, 4 + 1 + 16 + 32);
+  EXPECT_EQ(all[0].host_ms.median, 64 + 128);
+  EXPECT_EQ(all[0].frame_ms.median, 4 + 1 + 10 + 16 + 32 + 64 + 128 + 256);
+  EXPECT_EQ(all[1].technique_ms.median, 0);
+  EXPECT_EQ(all[1].host_ms.median, 0);
+}
+
 // The machine is ten times slower in the second round: in each round the second candidate takes
 // half of the first one's time, which medians over all rounds would not tell.
 TEST(Timing, RatiosAreOfTheSameRound) {

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "paper_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/check.h"
+#include "base/try.h"
+#include "image/exposure.h"
+#include "image/tone_map.h"
+#include "picture.h"
+
+namespace lueur::cli {
+
+Result<CandidateRequest> hierarchical_request(const std::string& scene, Extent size,
+                                              std::vector<std::string> settings) {
+  LUEUR_TRY(technique, choose_technique("hierarchical", settings));
+  std::string label = technique.label;
+  return CandidateRequest{std::move(label), scene, size, std::move(technique), {}};
+}
+
+std::vector<std::string> paper_settings(std::initializer_list<std::string> more) {
+  std::vector<std::string> settings = {"radius=40", "sample_growth=1"};
+  settings.insert(settings.end(), more);
+  return settings;
+}
+
+Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev) {
+  return to_display(light, exposure_ev + brighter_ev, ToneMap::khronos_neutral);
+}
+
+Result<float> exposure_of(const std::string& scene) {
+  LUEUR_TRY(loaded, load_scene(scene));
+  return loaded.scene.exposure_ev.value_or(0.0f);
+}
+
+double mean_luminance(const ImageF& light, const Mask& surfaces) {
+  double sum = 0.0;
+  for (size_t i = 0; i < surfaces.counts.size(); ++i)
+    if (counts(&surfaces, i)) sum += static_cast<double>(luminance_at(light, i));
+  const auto pixels = static_cast<double>(surfaces.pixel_count());
+  return pixels > 0.0 ? sum / pixels : 0.0;
+}
+
+double relative_difference(const ImageF& a, const ImageF& b) {
+  double difference = 0.0, whole = 0.0;
+  for (size_t i = 0; i < b.samples.size(); ++i) {
+    const auto d = static_cast<double>(a.samples[i]) - static_cast<double>(b.samples[i]);
+    difference += d * d;
+    whole += static_cast<double>(b.samples[i]) * static_cast<double>(b.samples[i]);
+  }
+  return whole > 0.0 ? std::sqrt(difference / whole) : 0.0;
+}
+
+Result<Seeds> render_seeds(Session& session, Candidate& candidate, const std::string& image,
+                           uint32_t count) {
+  LUEUR_CHECK(count >= 2);
+  Seeds seeds;
+  std::vector<double> sums, squares;
+  for (uint32_t i = 0; i < count; ++i) {
+    LUEUR_TRY(frame, render_candidate(session, candidate, {image, "depth"}));
+    ++candidate.shot.seed;
+    ImageF light = as_image(*find_pixels(frame.pixels, image), 3);
+    sums.resize(light.samples.size());
+    squares.resize(light.samples.size());
+    for (size_t k = 0; k < light.samples.size(); ++k) {
+      const auto value = static_cast<double>(light.samples[k]);
+      sums[k] += value;
+      squares[k] += value * value;
+    }
+    if (i > 0) continue;
+    seeds.surfaces = mask_of(as_image(*find_pixels(frame.pixels, "depth"), 1));
+    seeds.first = std::move(light);
+  }
+  candidate.shot.seed -= count;
+  seeds.mean = seeds.first;
+  double variance = 0.0, whole = 0.0;
+  for (size_t k = 0; k < sums.size(); ++k) {
+    const double mean = sums[k] / count;
+    seeds.mean.samples[k] = static_cast<float>(mean);
+    variance += std::max(squares[k] - count * mean * mean, 0.0) / (count - 1);
+    whole += mean;
+  }
+  const auto n = static_cast<double>(sums.size());
+  seeds.noise = whole > 0.0 ? std::sqrt(variance / n) / (whole / n) : 0.0;
+  return seeds;
+}
+
+Result<FrameRecord> render_settled(Session& session, Candidate& candidate, uint32_t count,
+                                   const ImageNames& images) {
+  LUEUR_CHECK(count >= 1);
+  for (uint32_t i = 1; i < count; ++i) {
+    LUEUR_TRY(frame, render_candidate(session, candidate, {}));
+    static_cast<void>(frame);
+    ++candidate.shot.seed;
+  }
+  return render_candidate(session, candidate, images);
+}
+
+double gather_ms(const FrameTimes& frame) {
+  return group_ms(frame, "hierarchical.gather");
+}
+
+}  // namespace lueur::cli
