@@ -162,7 +162,7 @@ report::Table cost_table(const Measured& measured, March march) {
       table.columns.push_back({who, "",
                                std::string(s.start) + ", " + std::to_string(s.levels) +
                                    " levels, " + std::to_string(s.samples),
-                               3});
+                               march == March::none ? 3 : 4});
   for (const auto& [name, of] : rows) {
     std::vector<report::Cell> cells = {name};
     for (size_t i = 0; i < std::size(kSettings); ++i) {
@@ -239,9 +239,9 @@ constexpr Claim kClaims[] = {
 report::Table claim_table(const Measured& measured) {
   report::Table table{"What the paper says of them", {}, {}};
   table.columns = {{"", "", "", 3},
-                   {"paper", "", "", 3},
-                   {"finest voxels", "", "ours", 3},
-                   {"own level's voxels", "", "ours", 3}};
+                   {"paper", "", "", 4},
+                   {"finest voxels", "", "ours", 4},
+                   {"own level's voxels", "", "ours", 4}};
   // The same column with the paper's march.
   const auto own_level = [](Column column) {
     if (column.march == March::finest) column.march = March::own_level;

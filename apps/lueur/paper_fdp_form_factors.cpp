@@ -22,10 +22,11 @@ double largest_over_mean(const ImageF& light, const Mask& surfaces) {
 
 Result<report::FigureSection> form_factors(Session& session, const PaperSetup& setup) {
   LUEUR_TRY(exposure_ev, exposure_of(kScene));
+  const uint32_t side = setup.picture_size.height;  // the box is as wide as it is high
   std::vector<CandidateRequest> requests;
   for (const char* form_factor : {"point", "disc"}) {
     LUEUR_TRY(request,
-              hierarchical_request(kScene, setup.picture_size,
+              hierarchical_request(kScene, {side, side},
                                    paper_settings({"start=half", "levels=4", "temporal=0",
                                                    std::string("form_factor=") + form_factor})));
     requests.push_back(std::move(request));

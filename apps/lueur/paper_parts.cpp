@@ -42,9 +42,10 @@ double mean_luminance(const ImageF& light, const Mask& surfaces) {
   return pixels > 0.0 ? sum / pixels : 0.0;
 }
 
-double relative_difference(const ImageF& a, const ImageF& b) {
+double relative_difference(const ImageF& a, const ImageF& b, const Mask* mask) {
   double difference = 0.0, whole = 0.0;
   for (size_t i = 0; i < b.samples.size(); ++i) {
+    if (!counts(mask, i / b.channels)) continue;
     const auto d = static_cast<double>(a.samples[i]) - static_cast<double>(b.samples[i]);
     difference += d * d;
     whole += static_cast<double>(b.samples[i]) * static_cast<double>(b.samples[i]);
@@ -53,7 +54,7 @@ double relative_difference(const ImageF& a, const ImageF& b) {
 }
 
 Result<Seeds> render_seeds(Session& session, Candidate& candidate, const std::string& image,
-                           uint32_t count) {
+                           uint32_t count, const Mask* mask) {
   LUEUR_CHECK(count >= 2);
   Seeds seeds;
   std::vector<double> sums, squares;
@@ -74,14 +75,15 @@ Result<Seeds> render_seeds(Session& session, Candidate& candidate, const std::st
   }
   candidate.shot.seed -= count;
   seeds.mean = seeds.first;
-  double variance = 0.0, whole = 0.0;
+  double variance = 0.0, whole = 0.0, n = 0.0;
   for (size_t k = 0; k < sums.size(); ++k) {
     const double mean = sums[k] / count;
     seeds.mean.samples[k] = static_cast<float>(mean);
+    if (!counts(mask, k / seeds.mean.channels)) continue;
     variance += std::max(squares[k] - count * mean * mean, 0.0) / (count - 1);
     whole += mean;
+    n += 1.0;
   }
-  const auto n = static_cast<double>(sums.size());
   seeds.noise = whole > 0.0 ? std::sqrt(variance / n) / (whole / n) : 0.0;
   return seeds;
 }

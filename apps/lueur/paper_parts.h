@@ -31,8 +31,8 @@ Result<float> exposure_of(const std::string& scene);
 // Of the pixels that show a surface; 0 without any.
 double mean_luminance(const ImageF& light, const Mask& surfaces);
 
-// The root mean square of a - b over that of b; 0 where b is black.
-double relative_difference(const ImageF& a, const ImageF& b);
+// The root mean square of a - b over that of b, of the pixels that count; 0 where b is black.
+double relative_difference(const ImageF& a, const ImageF& b, const Mask* mask = nullptr);
 
 // Pictures of one candidate that differ by the pattern of samples alone.
 struct Seeds {
@@ -44,9 +44,10 @@ struct Seeds {
   Mask surfaces;
 };
 // Renders `count` >= 2 frames and takes the image of this name, see kAllImages, of each. What
-// differs is noise only for a technique that keeps nothing of the frame before.
+// differs is noise only for a technique that keeps nothing of the frame before. `noise` is that of
+// the pixels that count.
 Result<Seeds> render_seeds(Session& session, Candidate& candidate, const std::string& image,
-                           uint32_t count);
+                           uint32_t count, const Mask* mask = nullptr);
 
 // Renders `count` frames of further seeds, for what a technique remembers to settle, and gives the
 // images of the last one.
