@@ -59,7 +59,8 @@ Result<CandidateMemory> measure_memory(Session& session, Candidate& candidate,
 Result<std::vector<Candidate>> make_candidates(Session& session,
                                                std::vector<CandidateRequest> requests,
                                                const std::string& camera, uint32_t seed,
-                                               const std::vector<std::string>& side_cameras) {
+                                               const std::vector<std::string>& side_cameras,
+                                               MemoryReport report) {
   Scenes scenes;
   std::vector<Candidate> candidates;
   for (CandidateRequest& request : requests) {
@@ -75,6 +76,7 @@ Result<std::vector<Candidate>> make_candidates(Session& session,
   uint64_t bytes_of_scenes = 0;
   for (const auto& scene : scenes) bytes_of_scenes += scene->bytes;
   for (Candidate& candidate : candidates) {
+    if (report == MemoryReport::none) break;
     LUEUR_TRY(memory, measure_memory(session, candidate, bytes_of_scenes));
     candidate.memory = memory;
   }

@@ -48,13 +48,16 @@ struct CandidateRequest {
   LoadLimits limits = {};
 };
 
-// Loads each scene once, says its warnings, and measures each candidate's memory, for which it
-// renders two frames of each. From then on the recorder keeps all images, so that candidates that
-// take turns do not allocate.
+// Whether CandidateMemory is wanted. To measure it takes two frames of each candidate.
+enum class MemoryReport : uint8_t { measured, none };
+
+// Loads each scene once, says its warnings, and measures each candidate's memory if that is wanted.
+// From then on the recorder keeps all images, so that candidates that take turns do not allocate.
 Result<std::vector<Candidate>> make_candidates(Session& session,
                                                std::vector<CandidateRequest> requests,
                                                const std::string& camera, uint32_t seed,
-                                               const std::vector<std::string>& side_cameras = {});
+                                               const std::vector<std::string>& side_cameras = {},
+                                               MemoryReport report = MemoryReport::measured);
 
 // One frame of a candidate.
 Result<FrameRecord> render_candidate(Session& session, Candidate& candidate,

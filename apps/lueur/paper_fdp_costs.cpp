@@ -89,7 +89,7 @@ Result<std::vector<Candidate>> cost_candidates(Session& session, const PaperSetu
     LUEUR_TRY(request, hierarchical_request("atrium", setup.table_size, std::move(settings)));
     requests.push_back(std::move(request));
   }
-  return make_candidates(session, std::move(requests), "", setup.seed);
+  return paper_candidates(session, std::move(requests), setup);
 }
 
 Times times_of(const FrameTimes& frame, const ChosenTechnique& technique) {

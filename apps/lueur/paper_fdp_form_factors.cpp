@@ -31,7 +31,7 @@ Result<report::FigureSection> form_factors(Session& session, const PaperSetup& s
                                                    std::string("form_factor=") + form_factor})));
     requests.push_back(std::move(request));
   }
-  LUEUR_TRY(candidates, make_candidates(session, std::move(requests), "", setup.seed));
+  LUEUR_TRY(candidates, paper_candidates(session, std::move(requests), setup));
   LUEUR_TRY(point, render_seeds(session, candidates[0], "indirect", kSeeds));
   LUEUR_TRY(disc, render_seeds(session, candidates[1], "indirect", kSeeds));
 

@@ -20,24 +20,26 @@ struct Setup {
 // The last one is not in the figure: the text holds it against the first.
 constexpr Setup kSetups[] = {{"half", 64}, {"half", 256}, {"quarter", 64}, {"quarter", 256}};
 
-Result<std::vector<Candidate>> make(Session& session, Extent size, const PaperSetup& setup,
-                                    bool with_truth) {
+// Each setup at the size of the pictures, each at half of it, and there every pixel of the rings.
+Result<std::vector<Candidate>> make(Session& session, Extent size, Extent half,
+                                    const PaperSetup& setup) {
   std::vector<CandidateRequest> requests;
-  for (const Setup& s : kSetups) {
-    LUEUR_TRY(request, hierarchical_request(
-                           kScene, size,
-                           paper_settings({std::string("start=") + s.start, "levels=4",
-                                           "temporal=0", "samples=" + std::to_string(s.samples)})));
-    requests.push_back(std::move(request));
-  }
-  if (with_truth) {
-    // As far as quarter start with 4 levels reaches.
-    LUEUR_TRY(request, hierarchical_request(kScene, size,
-                                            paper_settings({"start=full", "levels=6", "temporal=0",
-                                                            "sampling=every_pixel"})));
-    requests.push_back(std::move(request));
-  }
-  return make_candidates(session, std::move(requests), "", setup.seed);
+  for (const Extent extent : {size, half})
+    for (const Setup& s : kSetups) {
+      LUEUR_TRY(request,
+                hierarchical_request(
+                    kScene, extent,
+                    paper_settings({std::string("start=") + s.start, "levels=4", "temporal=0",
+                                    "samples=" + std::to_string(s.samples)})));
+      request.label += " " + std::to_string(extent.width);
+      requests.push_back(std::move(request));
+    }
+  // As far as quarter start with 4 levels reaches.
+  LUEUR_TRY(request, hierarchical_request(kScene, half,
+                                          paper_settings({"start=full", "levels=6", "temporal=0",
+                                                          "sampling=every_pixel"})));
+  requests.push_back(std::move(request));
+  return paper_candidates(session, std::move(requests), setup);
 }
 
 std::string name_of(const Setup& s) {
@@ -48,11 +50,13 @@ std::string name_of(const Setup& s) {
 
 Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) {
   LUEUR_TRY(exposure_ev, exposure_of(kScene));
-  LUEUR_TRY(large, make(session, setup.picture_size, setup, false));
+  const Extent half{std::max(setup.picture_size.width / 2, 1u),
+                    std::max(setup.picture_size.height / 2, 1u)};
+  LUEUR_TRY(candidates, make(session, setup.picture_size, half, setup));
   report::PictureRow light{{}, "Incident indirect light, E/π before albedo, one stop brighter."};
   report::PictureRow composed{{}, "atrium, and what indirect light adds to it."};
   for (size_t i = 0; i < std::size(kSetups); ++i) {
-    LUEUR_TRY(frame, render_candidate(session, large[i], kAllImages));
+    LUEUR_TRY(frame, render_candidate(session, candidates[i], kAllImages));
     const ImageF indirect = as_image(*find_pixels(frame.pixels, "indirect"), 3);
     light.pictures.push_back({shown(indirect, exposure_ev, 1.0f), name_of(kSetups[i]), {}});
     if (i != 1) continue;
@@ -66,10 +70,7 @@ Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) 
          {}});
   }
 
-  const Extent half{std::max(setup.picture_size.width / 2, 1u),
-                    std::max(setup.picture_size.height / 2, 1u)};
-  LUEUR_TRY(small, make(session, half, setup, true));
-  LUEUR_TRY(truth_frame, render_candidate(session, small.back(), {"indirect"}));
+  LUEUR_TRY(truth_frame, render_candidate(session, candidates.back(), {"indirect"}));
   const ImageF truth = as_image(*find_pixels(truth_frame.pixels, "indirect"), 3);
   report::Table table{"At " + std::to_string(half.width) + " x " + std::to_string(half.height) +
                           ", against every pixel of the rings at full start",
@@ -80,7 +81,7 @@ Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) 
                    {"off by", "relative", "one frame", 3},
                    {"off by", "relative", std::to_string(kSeeds) + " frames", 3}};
   for (size_t i = 0; i < std::size(kSetups); ++i) {
-    LUEUR_TRY(seeds, render_seeds(session, small[i], "indirect", kSeeds));
+    LUEUR_TRY(seeds, render_seeds(session, candidates[std::size(kSetups) + i], "indirect", kSeeds));
     table.rows.push_back({name_of(kSetups[i]), seeds.noise, relative_difference(seeds.first, truth),
                           relative_difference(seeds.mean, truth)});
   }
@@ -89,11 +90,10 @@ Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) 
       composed, light, table,
       report::Paragraph{
           "The paper: a coarser start loses high frequencies, and for the same time a coarser "
-          "start "
-          "with more samples is the better choice, as noise is much more noticeable in motion than "
-          "missing detail. Noise is what differs between frames without the filter over time; what "
-          "the mean of many frames is off by is detail, and light from beyond the coarsest ring, "
-          "which reaches half as far at half start."}};
+          "start with more samples is the better choice, as noise is much more noticeable in "
+          "motion than missing detail. Noise is what differs between frames without the filter "
+          "over time; what the mean of many frames is off by is detail, and light from beyond the "
+          "coarsest ring, which reaches half as far at half start."}};
   return section;
 }
 

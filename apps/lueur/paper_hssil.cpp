@@ -39,7 +39,7 @@ Result<std::vector<Candidate>> cost_candidates(Session& session, const PaperSetu
                                                    "samples=" + std::to_string(row.samples)})));
     requests.push_back(std::move(request));
   }
-  return make_candidates(session, std::move(requests), "", setup.seed);
+  return paper_candidates(session, std::move(requests), setup);
 }
 
 report::Table cost_table(const Rounds& rounds, std::span<const Candidate> candidates) {

@@ -24,7 +24,7 @@ Result<report::FigureSection> level_shares(Session& session, const PaperSetup& s
                                            "only_level=" + std::to_string(only)})));
     requests.push_back(std::move(request));
   }
-  LUEUR_TRY(candidates, make_candidates(session, std::move(requests), "", setup.seed));
+  LUEUR_TRY(candidates, paper_candidates(session, std::move(requests), setup));
 
   // One frame with all levels, and one with each alone.
   LUEUR_TRY(whole, render_candidate(session, candidates[0], kAllImages));

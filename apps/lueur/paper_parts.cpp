@@ -25,6 +25,14 @@ std::vector<std::string> paper_settings(std::initializer_list<std::string> more)
   return settings;
 }
 
+Result<std::vector<Candidate>> paper_candidates(Session& session,
+                                                std::vector<CandidateRequest> requests,
+                                                const PaperSetup& setup) {
+  // What another figure has left, under the same label, is not of the frame before.
+  session.context.recorder().forget_history();
+  return make_candidates(session, std::move(requests), "", setup.seed, {}, MemoryReport::none);
+}
+
 Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev) {
   return to_display(light, exposure_ev + brighter_ev, ToneMap::khronos_neutral);
 }

@@ -22,6 +22,11 @@ Result<CandidateRequest> hierarchical_request(const std::string& scene, Extent s
 // writes r = 20 and 2 r, FDP r = 40 and r / 2), and as many samples at each level.
 std::vector<std::string> paper_settings(std::initializer_list<std::string> more);
 
+// make_candidates() for the scene's first camera, without a report of memory.
+Result<std::vector<Candidate>> paper_candidates(Session& session,
+                                                std::vector<CandidateRequest> requests,
+                                                const PaperSetup& setup);
+
 // Light for the page, `brighter_ev` stops over the exposure of the scene.
 Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev = 0.0f);
 
