@@ -15,7 +15,7 @@ namespace {
 constexpr char kScene[] = "dominoes";
 constexpr float kPhongExponent = 128.0f;
 constexpr float kFloorMetallic = 0.8f;
-constexpr uint32_t kSamples = 64, kManySamples = 256, kSeeds = 8;
+constexpr uint32_t kSamples = 64, kManySamples = 256, kSeeds = 6;
 
 // A lobe as wide as Phong's with the paper's exponent, see lobe.glsl: alpha = sqrt(2 / (n + 2)).
 // differs: GGX, since the renderer has no Phong lobe in its own light.

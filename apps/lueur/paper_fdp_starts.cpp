@@ -11,7 +11,7 @@ namespace lueur::cli::fdp {
 namespace {
 
 constexpr char kScene[] = "atrium";
-constexpr uint32_t kSeeds = 8;
+constexpr uint32_t kSeeds = 6;
 
 struct Setup {
   const char* start;
