@@ -368,6 +368,25 @@ TEST_F(Cli, BenchReport) {
   EXPECT_EQ(samples[1], 18u * 10 * 8);
 }
 
+// The light's view that the renderer draws for the technique is told beside the technique's time.
+TEST_F(Cli, BenchTellsWhatTheHostDoesForATechnique) {
+  const Arguments command = {"bench",    "--scene", "cornell",         "--size",         "64x36",
+                             "--frames", "1",       "--set",           "sources=lights", "--set",
+                             "levels=2", "--set",   "light_view_px=64"};
+  Arguments with_json = command;
+  with_json.emplace_back("--json");
+  const auto json = nlohmann::json::parse(run(with_json).out, nullptr, false);
+  ASSERT_TRUE(json.is_object());
+  double views_ms = 0;
+  for (const auto& pass : json["passes"])
+    if (pass["name"].get<std::string>().starts_with("renderer.view."))
+      views_ms += pass["gpu_ms"].get<double>();
+  EXPECT_GT(views_ms, 0.0);
+  EXPECT_NEAR(json["host_ms"].get<double>(), views_ms,
+              1e-6 * static_cast<double>(json["passes"].size()));
+  EXPECT_NE(run(command).out.find("host, for the technique"), std::string::npos);
+}
+
 TEST_F(Cli, BenchOfSeveralTechniques) {
   const Arguments command = {
       "bench",  "--scene",      "cornell",
