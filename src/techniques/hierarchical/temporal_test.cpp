@@ -44,8 +44,9 @@ class TemporalTest : public HierarchicalTest {
   }
 
   // The mean of many frames: what the noise hides.
-  Light truth_of(const CpuGBuffer& g) {
-    Hierarchical technique(noisy(0));
+  Light truth_of(const CpuGBuffer& g, Settings settings = noisy(0)) {
+    settings.temporal = 0;
+    Hierarchical technique(settings);
     Light mean(g.depth.size(), glm::dvec3(0));
     constexpr uint32_t kFrames = 128;
     for (uint32_t i = 0; i < kFrames; ++i) {
@@ -116,6 +117,63 @@ TEST_F(TemporalTest, WhatIsUncoveredKeepsNothing) {
     ASSERT_EQ(after[i], fresh[i]) << "pixel " << i;
   }
   EXPECT_GT(uncovered, 1000);
+}
+
+// A board beside a bright floor passes before a dim wall, 2 pixels a frame. Where it has been, 8
+// frames ago and since, no more of its light is left than 2 %.
+TEST_F(TemporalTest, BehindAMovingObjectNothingStays) {
+  const auto scene = [](double left) {
+    return [left](const glm::dvec3& o, const glm::dvec3& d) -> std::optional<CpuHit> {
+      const glm::dvec3 board = o + (-2.0 / d.z) * d;
+      if (board.x > left && board.x < left + 1.2 && board.y < 0.6 && board.y > -1)
+        return CpuHit{board, {0, 0, 1}, glm::dvec3(0)};
+      const double t_wall = -5.0 / d.z, t_floor = d.y < 0 ? (-1 - o.y) / d.y : 1e30;
+      if (t_wall < t_floor) return CpuHit{o + t_wall * d, {0, 0, 1}, glm::dvec3(0.05)};
+      const glm::dvec3 p = o + t_floor * d;
+      return CpuHit{p, {0, 1, 0}, glm::dvec3(p.z > -2 ? 1.0 : 0.0)};
+    };
+  };
+  // At 2 m the picture is 4 tan(fov / 2) m high.
+  const double pixel_m = 4 * std::tan(kFov / 2) / kExtent.height;
+  constexpr int kFrames = 24, kMovedPx = 2;
+  for (const auto start : {Settings::Start::full, Settings::Start::half}) {
+    Settings s = noisy(0.9f);
+    s.start = start;
+    Hierarchical technique(s);
+    CpuGBuffer g;
+    Light light;
+    std::vector<int> age(size_t{kExtent.width} * kExtent.height, -1);  // frames since uncovered
+    for (int i = 0; i < kFrames; ++i) {
+      const CpuGBuffer before = g;
+      g = seen_from(scene(-2 + i * kMovedPx * pixel_m), {0, 0, 0});
+      const auto is_board = [](const CpuGBuffer& of, size_t k) {
+        return std::abs(of.position_view[k].z + 2) < 1e-3 && of.normal[k].z > 0.5f;
+      };
+      for (size_t k = 0; k < age.size(); ++k) {
+        if (is_board(g, k)) g.motion[k] = {float(kMovedPx) / float(kExtent.width), 0};
+        if (age[k] >= 0) ++age[k];
+        if (i > 0 && is_board(before, k) && !is_board(g, k)) age[k] = 0;
+      }
+      light = next_frame(technique, g,
+                         {.seed = static_cast<uint32_t>(i), .previous_view = g.view, .cut = i == 0})
+                  .diffuse;
+    }
+    const Light truth = truth_of(g, s);
+    double residual = 0, there = 0, board = 0, boards = 0;
+    for (size_t k = 0; k < age.size(); ++k) {
+      if (age[k] >= 0 && age[k] <= 8) {
+        residual += light[k].x - truth[k].x;
+        ++there;
+      } else if (age[k] < 0 && std::abs(g.position_view[k].z + 2) < 1e-3 && g.normal[k].z > 0.5f) {
+        board += truth[k].x;
+        ++boards;
+      }
+    }
+    ASSERT_GT(there, 300);
+    ASSERT_GT(boards, 300);
+    EXPECT_LT(std::abs(residual / there), 0.02 * board / boards)
+        << (start == Settings::Start::full ? "full" : "half");
+  }
 }
 
 TEST_F(TemporalTest, ACutLeavesNothing) {
