@@ -38,7 +38,8 @@ struct Bound {
 };
 
 // The bytes of a parameter structure, shared between C++ and GLSL (scalar layout). They go to the
-// shader's push constants, or to its uniform block `params` if it has one.
+// shader's push constants, or to its uniform block `params` if it has one. Points at the structure,
+// which has to live until it is recorded: a temporary does in the call's own expression only.
 struct Params {
   const void* data = nullptr;
   size_t bytes = 0;

@@ -12,6 +12,7 @@ layout(location = 1) in vec4 vertex_color;
 
 void main() {
   const MaterialData m = materials.data[draw.material];
-  const float alpha = m.base_color.a * vertex_color.a * texture(base_color_texture, base_color_uv).a;
+  const float alpha =
+      m.base_color.a * vertex_color.a * texture(base_color_texture, base_color_uv).a;
   if (alpha < m.alpha_cutoff) discard;
 }

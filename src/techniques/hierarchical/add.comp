@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The sum of two lights of level 0, or the larger one of each channel. Alpha, which depends on geometry alone, is the first one's.
+// The sum of two lights of level 0, or the larger one of each channel. Alpha, which depends on
+// geometry alone, is the first one's.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

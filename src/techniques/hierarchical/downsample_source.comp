@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Level k of another source -> level k + 1, by downsample.comp's rule; the geometry is there already,
-// and with it the foreshortening.
+// Level k of another source -> level k + 1, by downsample.comp's rule; the geometry is there
+// already, and with it the foreshortening.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

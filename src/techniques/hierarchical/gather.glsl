@@ -65,7 +65,8 @@ void gather(GatherParams g) {
       const vec3 to_patch =
           position_view(ray_through(g.screen, vec2(q[k]) + 0.5), surface[k].w) -
           receivers[k].position;
-      const float area_over_pi = g.area_over_pi * surface[k].w * surface[k].w * s[k].a;  // HSSIL (2)
+      // HSSIL (2)
+      const float area_over_pi = g.area_over_pi * surface[k].w * surface[k].w * s[k].a;
       const vec3 n = receivers[k].normal;
       const float factor = form_factor == 1
                                ? point_form_factor(to_patch, n, surface[k].xyz, area_over_pi)

@@ -39,8 +39,8 @@ void main() {
   const ivec2 in_level_0 = (pixel << p.level) + (1 << p.level) / 2;
   const Lobe l = lobe_of(imageLoad(lobe, min(in_level_0, imageSize(lobe) - 1)).r);
 
-  // The peak's way on the screen, over what it would be if the peak was parallel to the screen: near
-  // 0 the lobe leads to or from the eye, and no azimuth is better than another.
+  // The peak's way on the screen, over what it would be if the peak was parallel to the screen:
+  // near 0 the lobe leads to or from the eye, and no azimuth is better than another.
   const vec3 peak = cosine_lobe_axis(l.c_xy, l.c_z, g.xyz, to_eye);
   const vec2 way = way_on_screen(p.screen, position, peak) * abs(p.screen.ray_scale) * g.w;
   const float sideways = clamp(dot(way, way), 0.0, 1.0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// As gather_view.comp, but what is behind an obstacle gives nothing, as far as the voxels of one view
-// or the other tell: outside of both, all is free.
+// As gather_view.comp, but what is behind an obstacle gives nothing, as far as the voxels of one
+// view or the other tell: outside of both, all is free.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

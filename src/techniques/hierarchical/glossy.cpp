@@ -29,17 +29,17 @@ Gathered HierarchicalFrame::gather_glossy(const Pyramid& pyramid, const Lobes& l
     const bool blocked = pyramid.voxel_range.valid();
     const GatherParams params =
         gather_params(level, k, static_cast<uint32_t>(settings_.glossy_samples));
-    Dispatch dispatch{
-        .shader = blocked ? shaders::techniques_hierarchical_gather_glossy_visible_comp
-                          : shaders::techniques_hierarchical_gather_glossy_comp,
-        .constants = {{"importance", settings_.glossy_importance ? 1u : 0u}},
-        .params = params,
-        .read = {{"geometry", level.geometry},
-                 {"source", level.source},
-                 {"lobe", lobes.codes},
-                 {"lobes", lobes.table}},
-        .write = {{"glossy", glossy}},
-        .over = level.extent};
+    Dispatch dispatch{.shader = blocked
+                                    ? shaders::techniques_hierarchical_gather_glossy_visible_comp
+                                    : shaders::techniques_hierarchical_gather_glossy_comp,
+                      .constants = {{"importance", settings_.glossy_importance ? 1u : 0u}},
+                      .params = params,
+                      .read = {{"geometry", level.geometry},
+                               {"source", level.source},
+                               {"lobe", lobes.codes},
+                               {"lobes", lobes.table}},
+                      .write = {{"glossy", glossy}},
+                      .over = level.extent};
     if (blocked) {
       dispatch.read.push_back({"voxels", pyramid.levels[voxel_level(k)].voxels});
       dispatch.read.push_back({"range", pyramid.voxel_range});

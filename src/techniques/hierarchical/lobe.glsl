@@ -28,8 +28,8 @@ Lobe lobe_of(float code) {
 
 // brdf for a colour, or Fresnel reflectance, of 1; without the cosine. `solid_angle_sr` is that of
 // what is looked at: a lobe narrower than it would be hit or missed by chance, so it is widened.
-// differs: FDP says nothing of it. To the lobe's variance comes the patch's, twice, as samples do not
-// lie evenly.
+// differs: FDP says nothing of it. To the lobe's variance comes the patch's, twice, as samples do
+// not lie evenly.
 float lobe_brdf(Lobe lobe, vec3 n, vec3 to_light, vec3 to_eye, float solid_angle_sr) {
   const float cos_light = dot(n, to_light);
   const float cos_view = max(dot(n, to_eye), 1.0e-3);

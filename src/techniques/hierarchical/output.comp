@@ -6,8 +6,8 @@
 #include "shading/packing.h"
 #include "techniques/hierarchical/upsample.glsl"
 
-// One row of pixels a workgroup: texel fetches of whole rows take 0.6 of the time that squares take on
-// a CPU.
+// One row of pixels a workgroup: texel fetches of whole rows take 0.6 of the time that squares take
+// on a CPU.
 layout(local_size_x = 64, local_size_y = 1) in;
 layout(set = 0, binding = 2) uniform sampler2D depth;
 layout(set = 0, binding = 3) uniform sampler2D normal;

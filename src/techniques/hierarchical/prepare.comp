@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The engine's G-buffer -> level 0 of the pyramid.
 //
-// Position and normal of factor x factor pixels by the filter in pyramid.glsl; radiance is averaged.
+// Position and normal of factor x factor pixels by the filter in pyramid.glsl; radiance is
+// averaged.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
@@ -10,8 +11,8 @@
 
 // Pixels of the G-buffer a side of one level pixel: 1, 2 or 4.
 layout(constant_id = 0) const int factor = 2;
-// One row of pixels a workgroup: texel fetches of whole rows take 0.6 of the time that squares take on
-// a CPU.
+// One row of pixels a workgroup: texel fetches of whole rows take 0.6 of the time that squares take
+// on a CPU.
 layout(local_size_x = 64, local_size_y = 1) in;
 layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D normal;
@@ -50,8 +51,8 @@ void main() {
     radiance[i] = texelFetch(source, child, 0).rgb;
   }
 
-  // Normal in view space and z of each pixel; z = 0 where there is no surface, and beyond the image's
-  // edge. Both count as black: the sum of radiance times area is the same at every level.
+  // Normal in view space and z of each pixel; z = 0 where there is no surface, and beyond the
+  // image's edge. Both count as black: the sum of radiance times area is the same at every level.
   vec4 children[factor * factor];
   int decider = 0;
   float most = 0.0;

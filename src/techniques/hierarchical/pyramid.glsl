@@ -4,8 +4,8 @@
 //   geometry  rgba32f: unit normal in view space, z (distance along the optical axis; 0: nothing)
 //   source    rgba16f: radiance times the share of the pixel that is covered, foreshortening
 //
-// Of the pixels below, one decides. Filter `closest`, HSSIL 4: the one nearest to the camera. Filter
-// `vote`, FDP (5): the one whose surface its neighbours share the most.
+// Of the pixels below, one decides. Filter `closest`, HSSIL 4: the one nearest to the camera.
+// Filter `vote`, FDP (5): the one whose surface its neighbours share the most.
 // differs: it decides which surface is kept, and the pixels on that surface are averaged; the paper
 // keeps the one pixel. That one lies beside the large pixel's centre, always to the same side of a
 // curved surface, and its normal and position do not fit each other there: inside a sphere the
@@ -17,8 +17,8 @@
 // 0: `closest`, 1: `vote`.
 layout(constant_id = 1) const uint by_vote = 0;
 
-// Unit normal in view space and z of a pixel of the finer image; z = 0 where there is no surface and
-// outside of the image.
+// Unit normal in view space and z of a pixel of the finer image; z = 0 where there is no surface
+// and outside of the image.
 vec4 fine_surface(ivec2 fine_pixel);
 
 // FDP (5): the score of a pixel, from itself and its four neighbours.

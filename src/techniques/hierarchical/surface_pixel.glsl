@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The including shader has `depth` and the constant `factor`.
 
-// Of the image's pixels below one of level 0, one on the surface that the level keeps. Of 4 x 4, every
-// other one is looked at, and the nearest to that surface is taken.
+// Of the image's pixels below one of level 0, one on the surface that the level keeps. Of 4 x 4,
+// every other one is looked at, and the nearest to that surface is taken.
 ivec2 pixel_of_surface(ivec2 pixel, float z, Screen screen, ivec2 full_extent) {
   const int stride = max(factor / 2, 1);
   const int side = factor / stride;

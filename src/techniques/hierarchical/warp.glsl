@@ -45,8 +45,8 @@ void main() {
   const vec3 position_before = position_view(ray_through(p.previous, before_px), z_before);
   const vec3 normal_before = mat3(p.previous_view_from_view) * g.xyz;
 
-  const Resampled before =
-      resample(p.previous, before_px / float(factor), float(factor), position_before, normal_before);
+  const Resampled before = resample(p.previous, before_px / float(factor), float(factor),
+                                    position_before, normal_before);
   vec4 result = vec4(0.0);
   if (before.is_known) {
     const float frames = before.light.a;
