@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // FDP figure 3: where samples lie, and a glossy floor without and with importance sampling.
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "base/try.h"
@@ -13,14 +12,12 @@ namespace lueur::cli::fdp {
 namespace {
 
 constexpr char kScene[] = "dominoes";
-constexpr float kPhongExponent = 128.0f;
 constexpr float kFloorMetallic = 0.8f;
 constexpr uint32_t kSamples = 64, kManySamples = 256, kSeeds = 6;
 
-// A lobe as wide as Phong's with the paper's exponent, see lobe.glsl: alpha = sqrt(2 / (n + 2)).
-// differs: GGX, since the renderer has no Phong lobe in its own light.
+// The paper's lobe. As a metal the floor has little diffuse light, and is found by it.
 void make_glossy(Material& floor) {
-  floor.roughness = std::sqrt(std::sqrt(2.0f / (kPhongExponent + 2.0f)));
+  floor.phong = PhongLobe{.color = glm::vec3(0.4f), .exponent = 128.0f};
   floor.metallic = kFloorMetallic;
 }
 
@@ -92,7 +89,7 @@ Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup) 
 
   report::PictureRow pictures{
       {},
-      "dominoes with a floor as glossy as Phong's exponent 128, 64 glossy samples a level, one "
+      "dominoes with a floor of Phong's exponent 128, 64 glossy samples a level, one "
       "frame. Above with direct and diffuse indirect light, then the light through glossy lobes "
       "alone, two stops brighter."};
   report::PictureRow alone;
@@ -121,8 +118,7 @@ Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup) 
   section.blocks = {
       placement(setup), pictures, alone, table,
       report::Paragraph{
-          "The paper's floor has a Phong lobe of exponent 128; this one a GGX lobe of the same "
-          "width, alpha = sqrt(2 / (n + 2)). The paper has no numbers for noise: its pictures show "
+          "The paper has no numbers for noise: its pictures show "
           "a grainy floor without and a clean one with importance sampling. “Off by” is the root "
           "mean square of the difference over that of the mean of many."}};
   return section;
