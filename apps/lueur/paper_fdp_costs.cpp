@@ -278,13 +278,10 @@ Result<report::FigureSection> costs(Session& session, const PaperSetup& setup) {
       report::Paragraph{
           "Where ours departs: rays take at most 8 steps through the finest voxels, however far "
           "they go; the paper's go through the voxels of their samples' level, which takes about "
-          "as "
-          "long here, and it says nothing of steps. As the steps are as many at each level, level "
-          "1 "
-          "keeps its share with visibility. What is not gather weighs more on a device that runs "
-          "on "
-          "the CPU, as each pass costs a fixed time however few its pixels are, and its voxel grid "
-          "is written by the CPU, too."}};
+          "as long here, and it says nothing of steps. As the steps are as many at each level, "
+          "level 1 keeps its share with visibility. What is not gather weighs more on a device "
+          "that runs on the CPU, as each pass costs a fixed time however few its pixels are, and "
+          "its voxel grid is written by the CPU, too."}};
   return section;
 }
 

@@ -78,8 +78,7 @@ Result<report::FigureSection> visibility(Session& session, const PaperSetup& set
 
   report::PictureRow pictures{{},
                               "table, indirect light only, E/π two stops brighter; half start, 5 "
-                              "levels, r = 40, 64 samples "
-                              "a level, " +
+                              "levels, r = 40, 64 samples a level, " +
                                   std::to_string(kFrames) + " frames of the filter over time."};
   report::Table table{"What obstacles take of the indirect light", {}, {}};
   table.columns = {{"", "", "", 3}, {"share", "", "", 4}};

@@ -41,6 +41,21 @@ class VisibilityTest : public HierarchicalTest {
     return frame_of(r, visibility, std::move(lights)).diffuse;
   }
 
+  // What the light shows reaches the floor right of `from_x` without the wall, and not with it.
+  void expect_wall_blocks(const PunctualLight& light, double eye_x, double fov_rad, double from_x) {
+    settings_.sources = Settings::Sources::lights;
+    settings_.visibility_steps = 32;  // shorter than the wall is wide
+    for (const bool with_wall : {true, false}) {
+      const Room r = room(with_wall, eye_x, fov_rad);
+      const double open =
+          floor_mean(r, light_of(r, Settings::Visibility::none, {light}), from_x, 2.6);
+      const double tested =
+          floor_mean(r, light_of(r, Settings::Visibility::first_bounce, {light}), from_x, 2.6);
+      EXPECT_GT(open, 1e-3);
+      EXPECT_NEAR(tested / open, with_wall ? 0.0 : 1.0, with_wall ? 0.02 : 0.05);
+    }
+  }
+
   // Mean over the floor between two x, away from edges.
   static double floor_mean(const Room& r, const Light& light, double from_x, double to_x) {
     double sum = 0, count = 0;
@@ -116,39 +131,22 @@ TEST_F(VisibilityTest, AFloorDoesNotShadeItself) {
 // A light shines on the lamp's right side, past which its cone ends: its own voxels do not reach to
 // the wall, but the camera's do.
 TEST_F(VisibilityTest, TheCamerasVoxelsBlockWhatALightShows) {
-  settings_.sources = Settings::Sources::lights;
   settings_.light_view_px = 96;
-  settings_.visibility_steps = 32;  // shorter than the wall is wide
-  const PunctualLight narrow{.kind = PunctualLight::Kind::spot,
-                             .position = {-1.0f, 1.2f, 0},
-                             .direction = {-0.8320503f, -0.5547002f, 0},
-                             .outer_cone_rad = 0.3f};
-  const Room r = room(true);
-  const double open = floor_mean(r, light_of(r, Settings::Visibility::none, {narrow}), 0.6, 2.6);
-  EXPECT_GT(open, 1e-3);
-  EXPECT_LT(floor_mean(r, light_of(r, Settings::Visibility::first_bounce, {narrow}), 0.6, 2.6),
-            0.02 * open);
-  // Without the wall it arrives.
-  const Room free = room(false);
-  const double tested =
-      floor_mean(free, light_of(free, Settings::Visibility::first_bounce, {narrow}), 0.6, 2.6);
-  EXPECT_NEAR(tested / open, 1.0, 0.05);
+  expect_wall_blocks({.kind = PunctualLight::Kind::spot,
+                      .position = {-1.0f, 1.2f, 0},
+                      .direction = {-0.8320503f, -0.5547002f, 0},
+                      .outer_cone_rad = 0.3f},
+                     0.0, 0.9, 0.6);
 }
 
 // The camera sees the right of the room only, but the light all of it.
 TEST_F(VisibilityTest, ALightsVoxelsBlockWhatTheCameraDoesNotSee) {
-  settings_.sources = Settings::Sources::lights;
   settings_.light_view_px = 192;
-  settings_.visibility_steps = 32;  // shorter than the wall is wide
-  const PunctualLight wide{.kind = PunctualLight::Kind::spot,
-                           .position = {-1.0f, 3.5f, 0},
-                           .direction = {0, -1, 0},
-                           .outer_cone_rad = 1.0f};
-  const Room r = room(true, 1.9, 0.22);
-  const double open = floor_mean(r, light_of(r, Settings::Visibility::none, {wide}), 1.5, 2.6);
-  EXPECT_GT(open, 1e-3);
-  EXPECT_LT(floor_mean(r, light_of(r, Settings::Visibility::first_bounce, {wide}), 1.5, 2.6),
-            0.02 * open);
+  expect_wall_blocks({.kind = PunctualLight::Kind::spot,
+                      .position = {-1.0f, 3.5f, 0},
+                      .direction = {0, -1, 0},
+                      .outer_cone_rad = 1.0f},
+                     1.9, 0.22, 1.5);
 }
 
 TEST_F(VisibilityTest, WithoutTrianglesItFails) {
