@@ -168,7 +168,8 @@ report::Table cost_table(const Measured& measured, March march) {
       const Column column{i, march};
       const bool is_there = of(measured[*index_of(column)].front()) > 0.0;
       const double paper = paper_ratio(column, of, kFirst, all);
-      cells.push_back(paper > 0.0 ? report::Cell(paper) : report::Cell());
+      report::Cell& cell = cells.emplace_back();
+      if (paper > 0.0) cell = paper;
       cells.push_back(is_there ? ratio(measured, column, of, kFirst, all) : report::Cell());
     }
     table.rows.push_back(std::move(cells));
