@@ -15,7 +15,7 @@
 namespace lueur {
 namespace {
 
-constexpr Extent kExtent{320, 120};
+constexpr Extent kLobeExtent{320, 120};
 
 struct LobeCase {
   const char* name;
@@ -85,17 +85,17 @@ class LobeLightTest : public GpuTest {
     ASSERT_TRUE(renderer.ok());
     EXPECT_TRUE((*renderer)->warnings().empty());
     run([&](Frame& frame) {
-      const RenderedImages images = (*renderer)->record(frame, {.extent = kExtent}, nullptr);
+      const RenderedImages images = (*renderer)->record(frame, {.extent = kLobeExtent}, nullptr);
       frame.recorder().read_back("specular", images.specular);
     });
-    const auto truth =
-        reference::render(scene, {.width = kExtent.width, .height = kExtent.height}, {.spp = 1});
+    const auto truth = reference::render(
+        scene, {.width = kLobeExtent.width, .height = kLobeExtent.height}, {.spp = 1});
     ASSERT_TRUE(truth.ok());
     const ImageF& want = *find_layer(*truth, "specular");
     const Pixels seen = pixels("specular");
     const glm::dmat4 world_from_camera(pose(scene, 0)[static_cast<size_t>(scene.cameras[0].node)]);
     const auto rays =
-        pixel_rays(scene.cameras[0], world_from_camera, kExtent.width, kExtent.height);
+        pixel_rays(scene.cameras[0], world_from_camera, kLobeExtent.width, kLobeExtent.height);
     for (size_t i = 0; i < panels.size(); ++i) {
       const PhongLobe& lobe = kLobes[i].lobe;
       // Sums in half floats, two at most. Normals lie within 2^-15 sqrt(2) of where they should,

@@ -15,7 +15,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct BenchOptions {
   std::string scene = "atrium";
   LoadLimits limits;
   TechniqueOptions technique;
@@ -28,7 +28,7 @@ struct Options {
 };
 
 // What is to be timed, all of it checked.
-struct Plan {
+struct BenchPlan {
   FrameSetup setup;
   uint32_t frames = 0;
   std::optional<Scale> scale;
@@ -36,7 +36,7 @@ struct Plan {
   std::vector<CandidateRequest> requests;  // for each technique, each value of the scale
 };
 
-Result<std::vector<ChosenTechnique>> chosen_techniques(const Options& options) {
+Result<std::vector<ChosenTechnique>> chosen_techniques(const BenchOptions& options) {
   if (options.techniques) return choose_techniques("--techniques", *options.techniques);
   LUEUR_TRY(technique, check(options.technique));
   std::vector<ChosenTechnique> one;
@@ -44,8 +44,8 @@ Result<std::vector<ChosenTechnique>> chosen_techniques(const Options& options) {
   return one;
 }
 
-Result<Plan> check(const Options& options) {
-  Plan plan;
+Result<BenchPlan> check(const BenchOptions& options) {
+  BenchPlan plan;
   LUEUR_TRY(setup, check(options.frame));
   plan.setup = setup;
   LUEUR_TRY(frames, parse_count("--frames", options.frames, 1, 10000));
@@ -74,7 +74,7 @@ Result<Plan> check(const Options& options) {
   return plan;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const BenchOptions& options) {
   LUEUR_TRY(plan, check(options));
   LUEUR_TRY(session, open_session({.device = options.frame.device}));
   BenchReport report;
@@ -95,7 +95,7 @@ Outcome run(const Options& options) {
   return kExitDone;
 }
 
-constexpr char kFooter[] =
+constexpr char kBenchFooter[] =
     "Renders 3 frames to warm up and then N, and reports medians, with the least and the\n"
     "quartiles, as machines are noisy. Every frame is the same one. Several techniques or values\n"
     "are timed in turn, frame by frame, and each ratio is the median of those to the first one in\n"
@@ -128,7 +128,7 @@ constexpr char kFooter[] =
 
 void add_bench(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("bench", "Time the passes of a frame");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BenchOptions>();
   command->add_option("--scene", options->scene, "A scene, see `lueur render` (default atrium)")
       ->type_name("SCENE");
   add_object_option(*command, options->scene);
@@ -147,7 +147,7 @@ void add_bench(CLI::App& program, Outcome& outcome) {
       ->type_name("N,N...")
       ->excludes(scale);
   command->add_flag("--json", options->json, "One JSON object on stdout");
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kBenchFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

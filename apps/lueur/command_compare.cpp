@@ -12,7 +12,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct CompareOptions {
   std::string scene;
   LoadLimits limits;
   std::string techniques = "hierarchical,none";
@@ -27,7 +27,7 @@ struct Options {
 };
 
 // Everything that decides the result, defaults included, so that it holds for later versions, too.
-std::string command_of(const Options& options) {
+std::string command_of(const CompareOptions& options) {
   std::string command = "lueur compare " + shell_quoted(options.scene);
   const auto add = [&](const char* flag, const std::string& value) {
     command += std::string(" ") + flag + " " + shell_quoted(value);
@@ -49,7 +49,7 @@ std::string command_of(const Options& options) {
   return command;
 }
 
-Result<CompareJob> check(const Options& options) {
+Result<CompareJob> check(const CompareOptions& options) {
   CompareJob job;
   job.scene = options.scene;
   job.limits = options.limits;
@@ -73,12 +73,12 @@ Result<CompareJob> check(const Options& options) {
   return job;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const CompareOptions& options) {
   LUEUR_TRY(job, check(options));
   return run_compare(job);
 }
 
-constexpr char kFooter[] =
+constexpr char kCompareFooter[] =
     "Writes into the folder: index.html, a page that needs no network and no other file, with\n"
     "pictures to swap, zoom and expose, error maps, times and settings; results.json and\n"
     "results.csv, the same numbers for programs. The table on stdout is a part of them.\n"
@@ -106,7 +106,7 @@ constexpr char kFooter[] =
 
 void add_compare(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("compare", "Hold techniques against the truth");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   add_scene_argument(*command, options->scene);
   add_limit_option(*command, options->limits);
   command->add_option("-o,--output", options->folder, "Folder, made if it is missing")
@@ -126,7 +126,7 @@ void add_compare(CLI::App& program, Outcome& outcome) {
   command->add_option("--frames", options->frames, "Frames to time (default 10)")->type_name("N");
   command->add_flag("--no-cache", options->no_cache, "Neither use nor fill the references' cache");
   command->add_flag("--json", options->json, "results.json on stdout instead of the table");
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kCompareFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

@@ -21,7 +21,7 @@ namespace lueur::cli {
 namespace {
 
 // What was typed, before it is checked.
-struct Options {
+struct DiffOptions {
   std::string test;
   std::string reference;
   std::string layer;
@@ -50,7 +50,7 @@ constexpr ErrorMap kMaps[] = {
     {"relative", [](const PictureErrors& errors) { return errors.relative_map; }},
     {"ssim", dissimilarity}};
 
-struct Job {
+struct DiffPlan {
   FileKind kind = FileKind::png;
   std::vector<const ErrorMetric*> shown;
   const ErrorMetric* limited = nullptr;  // the metric of --fail-above; nullptr without
@@ -65,7 +65,7 @@ Result<FileKind> kind_of(const std::string& path) {
   return Error{ErrorKind::usage, "'" + path + "': the name of a picture ends in .png or .exr"};
 }
 
-Result<void> check_limit(const Options& options, Job& job) {
+Result<void> check_limit(const DiffOptions& options, DiffPlan& job) {
   if (options.fail_above.empty()) return {};
   if (options.metrics.size() > 1)
     return Error{ErrorKind::usage, "--fail-above holds for one metric; give --metric once"};
@@ -83,8 +83,8 @@ Result<void> check_limit(const Options& options, Job& job) {
   return {};
 }
 
-Result<Job> check(const Options& options) {
-  Job job;
+Result<DiffPlan> check(const DiffOptions& options) {
+  DiffPlan job;
   LUEUR_TRY(kind, kind_of(options.test));
   LUEUR_TRY(reference_kind, kind_of(options.reference));
   if (kind != reference_kind)
@@ -137,13 +137,13 @@ Result<const ImageF*> choose_layer(const std::string& path, std::span<const Imag
 }
 
 // Puts the files before an error that only speaks of test and reference.
-Result<PictureErrors> named(const Options& options, Result<PictureErrors> errors) {
+Result<PictureErrors> named(const DiffOptions& options, Result<PictureErrors> errors) {
   if (errors.ok()) return errors;
   return Error{errors.error().kind,
                options.test + " against " + options.reference + ": " + errors.error().message};
 }
 
-Result<PictureErrors> compare_exr(const Options& options) {
+Result<PictureErrors> compare_exr(const DiffOptions& options) {
   LUEUR_TRY(test_layers, read_exr(options.test));
   LUEUR_TRY(reference_layers, read_exr(options.reference));
   LUEUR_TRY(test, choose_layer(options.test, test_layers, options.layer));
@@ -158,13 +158,13 @@ Result<PictureErrors> compare_exr(const Options& options) {
   return named(options, scene_errors(*test, *reference, &mask));
 }
 
-Result<PictureErrors> compare_png(const Options& options) {
+Result<PictureErrors> compare_png(const DiffOptions& options) {
   LUEUR_TRY(test, read_png(options.test));
   LUEUR_TRY(reference, read_png(options.reference));
   return named(options, display_errors(test, reference));
 }
 
-Json as_json(const Options& options, const Job& job, const PictureErrors& errors) {
+Json as_json(const DiffOptions& options, const DiffPlan& job, const PictureErrors& errors) {
   Json json = {{"a", options.test},
                {"b", options.reference},
                {"layer", options.layer},
@@ -174,7 +174,7 @@ Json as_json(const Options& options, const Job& job, const PictureErrors& errors
   return json;
 }
 
-std::string as_text(const Options& options, const Job& job, const PictureErrors& errors) {
+std::string as_text(const DiffOptions& options, const DiffPlan& job, const PictureErrors& errors) {
   std::string text = printable(options.test) + " against " + printable(options.reference);
   if (!options.layer.empty()) text += ", layer " + printable(options.layer);
   text += ", " + std::to_string(errors.flip_map.width) + "x" +
@@ -188,7 +188,7 @@ std::string as_text(const Options& options, const Job& job, const PictureErrors&
   return text;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const DiffOptions& options) {
   LUEUR_TRY(job, check(options));
   LUEUR_TRY(errors, job.kind == FileKind::png ? compare_png(options) : compare_exr(options));
   if (!options.output.empty())
@@ -203,7 +203,7 @@ Outcome run(const Options& options) {
   return kExitFinding;
 }
 
-constexpr char kFooter[] =
+constexpr char kDiffFooter[] =
     "Two PNG files are compared as a display shows them; two EXR files as light, by their main\n"
     "pictures or by the layer that --layer names. psnr, ssim and the exposures of flip are then\n"
     "metered on B. In JSON a number that is infinite, such as psnr of equal pictures, is null.\n"
@@ -218,7 +218,7 @@ constexpr char kFooter[] =
 
 void add_diff(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("diff", "Measure a picture against its reference");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DiffOptions>();
   command->add_option("A", options->test, "The picture to measure, .png or .exr")
       ->type_name("")
       ->required();
@@ -251,7 +251,7 @@ void add_diff(CLI::App& program, Outcome& outcome) {
       ->type_name("NAME")
       ->needs(output);
   command->add_flag("--json", options->json, "One JSON object on stdout");
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kDiffFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

@@ -12,7 +12,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct PaperOptions {
   std::string name;
   std::string figures;
   std::string folder;
@@ -43,7 +43,7 @@ Result<std::vector<const PaperFigure*>> find_figures(const Paper& paper, const s
 }
 
 // Everything that decides the result, defaults included, so that it holds for later versions, too.
-std::string command_of(const Options& options) {
+std::string command_of(const PaperOptions& options) {
   std::string command = "lueur paper " + options.name;
   const auto add = [&](const char* flag, const std::string& value) {
     if (!value.empty()) command += std::string(" ") + flag + " " + shell_quoted(value);
@@ -58,7 +58,7 @@ std::string command_of(const Options& options) {
   return command;
 }
 
-Result<PaperJob> check(const Options& options) {
+Result<PaperJob> check(const PaperOptions& options) {
   PaperJob job;
   LUEUR_TRY(paper, find_named("paper", options.name, papers()));
   job.paper = paper;
@@ -85,12 +85,12 @@ Result<PaperJob> check(const Options& options) {
   return job;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const PaperOptions& options) {
   LUEUR_TRY(job, check(options));
   return run_paper(job);
 }
 
-constexpr char kFooter[] =
+constexpr char kPaperFooter[] =
     "Prints the tables; with -o also writes index.html, a page with the figures, and\n"
     "figures.json. Times are ratios within each table, taken in turn as by `lueur bench`.\n"
     "References come from the cache where it has them, see `lueur reference`.\n"
@@ -112,7 +112,7 @@ constexpr char kFooter[] =
 
 void add_paper(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("paper", "Make a paper's tables and figures again");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PaperOptions>();
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     command->add_option(flag, value, help)->type_name(type);
   };
@@ -127,7 +127,7 @@ void add_paper(CLI::App& program, Outcome& outcome) {
   add("--device", options->device, "Number or name, see `lueur devices`", "N|NAME");
   command->add_flag("--no-cache", options->no_cache, "Neither use nor fill the references' cache");
   command->add_flag("--json", options->json, "figures.json on stdout instead");
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kPaperFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

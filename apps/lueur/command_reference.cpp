@@ -14,7 +14,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct ReferenceOptions {
   std::string scene;
   LoadLimits limits;
   std::vector<std::string> outputs;
@@ -34,7 +34,7 @@ struct Options {
   bool json = false;
 };
 
-Result<reference::Settings> parse_settings(const Options& options) {
+Result<reference::Settings> parse_settings(const ReferenceOptions& options) {
   reference::Settings settings;
   LUEUR_TRY(mode, parse_mode("--mode", options.mode));
   settings.mode = mode;
@@ -49,7 +49,7 @@ Result<reference::Settings> parse_settings(const Options& options) {
   return settings;
 }
 
-Result<ReferenceJob> check(const Options& options) {
+Result<ReferenceJob> check(const ReferenceOptions& options) {
   ReferenceJob job;
   job.scene = options.scene;
   job.limits = options.limits;
@@ -79,12 +79,12 @@ Result<ReferenceJob> check(const Options& options) {
   return job;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const ReferenceOptions& options) {
   LUEUR_TRY(job, check(options));
   return run_reference(job);
 }
 
-constexpr char kFooter[] =
+constexpr char kReferenceFooter[] =
     "Rays go through the centres of the pixels, as the rasterizer's do. Modes:\n"
     "  path               path tracing: all light that came off 1 to --bounces surfaces\n"
     "  screen             the same, and only diffuse, off surfaces that the camera sees\n"
@@ -109,7 +109,7 @@ constexpr char kFooter[] =
     "  lueur reference atrium -o truth.exr -o truth.png --error 0.01 --spp 4096\n"
     "  lueur reference room.glb -o ao.png --mode ambient --distance 0.5\n";
 
-void add_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+void add_options(CLI::App* command, const std::shared_ptr<ReferenceOptions>& options) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     return command->add_option(flag, value, help)->type_name(type);
   };
@@ -133,14 +133,14 @@ void add_options(CLI::App* command, const std::shared_ptr<Options>& options) {
 
 void add_reference(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("reference", "Trace the true indirect light");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReferenceOptions>();
   add_scene_argument(*command, options->scene);
   add_limit_option(*command, options->limits);
   command->add_option("-o,--output", options->outputs, "Picture, .exr or .png; may be repeated")
       ->type_name("FILE")
       ->allow_extra_args(false);
   add_options(command, options);
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kReferenceFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

@@ -16,7 +16,7 @@ namespace lueur::cli {
 namespace {
 
 // What was typed, before it is checked.
-struct Options {
+struct RenderOptions {
   std::string scene;
   LoadLimits limits;
   std::vector<std::string> outputs;
@@ -38,7 +38,7 @@ struct Options {
 };
 
 // When the picture is, or the frames are, and where they go.
-Result<void> check_frames(const Options& options, RenderJob& job) {
+Result<void> check_frames(const RenderOptions& options, RenderJob& job) {
   LUEUR_TRY(time_s, parse_real("--time", options.time_s, 1e6f));
   LUEUR_TRY(rate, parse_rate("--fps", options.fps));
   job.pace = {.from_s = time_s, .rate = rate};
@@ -63,7 +63,7 @@ Result<void> check_frames(const Options& options, RenderJob& job) {
   return {};
 }
 
-Result<RenderJob> check(const Options& options) {
+Result<RenderJob> check(const RenderOptions& options) {
   RenderJob job;
   job.scene = options.scene;
   job.limits = options.limits;
@@ -97,12 +97,12 @@ Result<RenderJob> check(const Options& options) {
   return job;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const RenderOptions& options) {
   LUEUR_TRY(job, check(options));
   return run_render(job);
 }
 
-constexpr char kFooter[] =
+constexpr char kRenderFooter[] =
     "SCENE is the name of a built-in scene (lueur scene list), with parameters as in\n"
     "atrium:triangles=250000, or a scene file: a path that ends in .gltf, .glb or .obj, or "
     "exists.\n"
@@ -145,7 +145,7 @@ constexpr char kFooter[] =
     "  lueur render cornell --frames 0-119 -o cornell.mp4\n"
     "  lueur render cornell --frames 0-23 --fps 24 --settle 8 -o {frame:4}.png -o {frame:4}.exr\n";
 
-void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+void add_look_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
   command->add_option("--time", options->time_s, "Seconds into the animation (default 0)")
       ->type_name("SECONDS");
   auto* frames =
@@ -167,7 +167,7 @@ void add_look_options(CLI::App* command, const std::shared_ptr<Options>& options
       ->type_name("CURVE");
 }
 
-void add_inspection_options(CLI::App* command, const std::shared_ptr<Options>& options) {
+void add_inspection_options(CLI::App* command, const std::shared_ptr<RenderOptions>& options) {
   command->add_flag("--json", options->json, "Report as one JSON object on stdout");
   auto* list_views =
       command->add_flag("--list-views", options->list_views, "List the images that --view takes");
@@ -195,7 +195,7 @@ void add_inspection_options(CLI::App* command, const std::shared_ptr<Options>& o
 
 void add_render(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("render", "Render one picture of a scene");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RenderOptions>();
   add_scene_argument(*command, options->scene);
   add_limit_option(*command, options->limits);
   command
@@ -207,7 +207,7 @@ void add_render(CLI::App& program, Outcome& outcome) {
   add_frame_options(*command, options->frame);
   add_look_options(command, options);
   add_inspection_options(command, options);
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kRenderFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

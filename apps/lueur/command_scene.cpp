@@ -22,7 +22,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct SceneOptions {
   std::string scene;
   LoadLimits limits;
   std::string output;
@@ -185,7 +185,7 @@ std::string info_text(const Json& info) {
   return out.str();
 }
 
-Outcome run_list(const Options& options) {
+Outcome run_list(const SceneOptions& options) {
   Json list = Json::array();
   std::string text;
   for (const BuiltinScene& scene : builtin_scenes()) {
@@ -196,7 +196,7 @@ Outcome run_list(const Options& options) {
   return kExitDone;
 }
 
-Outcome run_info(const Options& options) {
+Outcome run_info(const SceneOptions& options) {
   LUEUR_TRY(loaded, load_scene(options.scene, {}, options.limits));
   for (const std::string& warning : loaded.scene.warnings) print_warning(warning);
   const Json info = info_json(options.scene, loaded);
@@ -204,7 +204,7 @@ Outcome run_info(const Options& options) {
   return kExitDone;
 }
 
-Outcome run_export(const Options& options) {
+Outcome run_export(const SceneOptions& options) {
   if (ending_of(options.output) != ".glb")
     return Error{ErrorKind::usage, "-o '" + options.output + "': the name has to end in .glb"};
   LUEUR_TRY_VOID(check_writable(options.output));
@@ -230,7 +230,7 @@ void add_scene(CLI::App& program, Outcome& outcome) {
                               "  lueur scene sheet models -o models.html\n"
                               "  lueur scene export atrium:triangles=250000 -o atrium.glb\n") +
                   kExitCodes);
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SceneOptions>();
   const auto add_json = [&](CLI::App* sub) {
     sub->add_flag("--json", options->json, "One JSON object on stdout");
   };

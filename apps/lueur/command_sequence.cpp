@@ -12,7 +12,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct SequenceOptions {
   std::string scene;
   LoadLimits limits;
   std::string techniques = "hierarchical";
@@ -36,7 +36,7 @@ Result<Hold> parse_hold(const std::string& text) {
   return Error{ErrorKind::usage, "--hold '" + text + "': expected camera or scene"};
 }
 
-Result<Sequence> check_sequence(const Options& options) {
+Result<Sequence> check_sequence(const SequenceOptions& options) {
   LUEUR_TRY(setup, check(options.frame));
   LUEUR_TRY(from_s, parse_real("--from", options.from, kMostSeconds));
   LUEUR_TRY(rate, parse_rate("--rate", options.rate));
@@ -48,7 +48,7 @@ Result<Sequence> check_sequence(const Options& options) {
                   uncovered};
 }
 
-Result<SequenceJob> check(const Options& options) {
+Result<SequenceJob> check(const SequenceOptions& options) {
   SequenceJob job;
   job.scene = options.scene;
   job.limits = options.limits;
@@ -65,12 +65,12 @@ Result<SequenceJob> check(const Options& options) {
   return job;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const SequenceOptions& options) {
   LUEUR_TRY(job, check(options));
   return run_sequence(job);
 }
 
-constexpr char kFooter[] =
+constexpr char kSequenceFooter[] =
     "Renders N frames one after the other with each technique, as an application would: the seed\n"
     "counts up and what a technique remembers stays with it. All figures are of the luminance of\n"
     "indirect light, E/pi before albedo.\n"
@@ -95,7 +95,7 @@ constexpr char kFooter[] =
     "  lueur sequence cornell --hold camera --from 2 --rate 30 --frames 30 -o frames\n"
     "  lueur sequence cornell --fixed-seed --settle 0\n";
 
-void add_sequence_options(CLI::App& command, Options& options) {
+void add_sequence_options(CLI::App& command, SequenceOptions& options) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     command.add_option(flag, value, help)->type_name(type);
   };
@@ -114,7 +114,7 @@ void add_sequence_options(CLI::App& command, Options& options) {
 
 void add_sequence(CLI::App& program, Outcome& outcome) {
   CLI::App* command = program.add_subcommand("sequence", "Measure flicker and ghosts in motion");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SequenceOptions>();
   add_scene_argument(*command, options->scene);
   add_limit_option(*command, options->limits);
   command
@@ -123,7 +123,7 @@ void add_sequence(CLI::App& program, Outcome& outcome) {
   add_sequence_options(*command, *options);
   add_frame_options(*command, options->frame);
   command->add_flag("--json", options->json, "One JSON object on stdout");
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kSequenceFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

@@ -14,7 +14,7 @@
 namespace lueur::cli {
 namespace {
 
-struct Options {
+struct SheetOptions {
   std::vector<std::string> scenes;
   std::string page;
   std::string size = "480x270";
@@ -27,7 +27,7 @@ struct Options {
 };
 
 // Everything that decides the result, defaults included, so that it holds for later versions, too.
-std::string command_of(const Options& options) {
+std::string command_of(const SheetOptions& options) {
   std::string command = "lueur scene sheet";
   for (const std::string& scene : options.scenes) command += " " + shell_quoted(scene);
   const auto add = [&](const char* flag, const std::string& value) {
@@ -43,7 +43,7 @@ std::string command_of(const Options& options) {
   return command;
 }
 
-Result<SheetJob> check(const Options& options) {
+Result<SheetJob> check(const SheetOptions& options) {
   SheetJob job;
   if (ending_of(options.page) != ".html")
     return Error{ErrorKind::usage, "-o '" + options.page + "': the name has to end in .html"};
@@ -68,12 +68,12 @@ Result<SheetJob> check(const Options& options) {
   return job;
 }
 
-Outcome run(const Options& options) {
+Outcome run(const SheetOptions& options) {
   LUEUR_TRY(job, check(options));
   return run_sheet(job);
 }
 
-constexpr char kFooter[] =
+constexpr char kSheetFooter[] =
     "SCENE is a built-in scene, a scene file, or a folder, which is searched with all folders\n"
     "below it for .gltf, .glb and .obj files; without one, all built-in scenes are drawn.\n"
     "\n"
@@ -91,7 +91,7 @@ constexpr char kFooter[] =
 
 void add_scene_sheet(CLI::App& scene, Outcome& outcome) {
   CLI::App* command = scene.add_subcommand("sheet", "Draw many scenes on one page");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<SheetOptions>();
   command
       ->add_option("SCENE", options->scenes,
                    "Built-in scenes, files, folders (default: all built-in)")
@@ -109,7 +109,7 @@ void add_scene_sheet(CLI::App& scene, Outcome& outcome) {
   command->add_option("--device", options->device, "Number or name, see `lueur devices`")
       ->type_name("N|NAME");
   command->add_flag("--json", options->json, "Report as one JSON object on stdout");
-  command->footer(std::string(kFooter) + kExitCodes);
+  command->footer(std::string(kSheetFooter) + kExitCodes);
   command->callback([options, &outcome] { outcome = run(*options); });
 }
 

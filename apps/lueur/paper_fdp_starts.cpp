@@ -10,8 +10,8 @@
 namespace lueur::cli::fdp {
 namespace {
 
-constexpr char kScene[] = "atrium";
-constexpr uint32_t kSeeds = 6;
+constexpr char kStartsScene[] = "atrium";
+constexpr uint32_t kStartsSeeds = 6;
 
 struct Setup {
   const char* start;
@@ -28,14 +28,14 @@ Result<std::vector<Candidate>> make(Session& session, Extent size, Extent half,
     for (const Setup& s : kSetups) {
       LUEUR_TRY(request,
                 hierarchical_request(
-                    kScene, extent,
+                    kStartsScene, extent,
                     paper_settings({std::string("start=") + s.start, "levels=4", "temporal=0",
                                     "samples=" + std::to_string(s.samples)})));
       request.label += " " + std::to_string(extent.width);
       requests.push_back(std::move(request));
     }
   // As far as quarter start with 4 levels reaches.
-  LUEUR_TRY(request, hierarchical_request(kScene, half,
+  LUEUR_TRY(request, hierarchical_request(kStartsScene, half,
                                           paper_settings({"start=full", "levels=6", "temporal=0",
                                                           "sampling=every_pixel"})));
   requests.push_back(std::move(request));
@@ -49,7 +49,7 @@ std::string name_of(const Setup& s) {
 }  // namespace
 
 Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kScene));
+  LUEUR_TRY(exposure_ev, exposure_of(kStartsScene));
   const Extent half{std::max(setup.picture_size.width / 2, 1u),
                     std::max(setup.picture_size.height / 2, 1u)};
   LUEUR_TRY(candidates, make(session, setup.picture_size, half, setup));
@@ -79,9 +79,10 @@ Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) 
   table.columns = {{"", "", "", 3},
                    {"noise", "of the mean", "", 3},
                    {"off by", "relative", "one frame", 3},
-                   {"off by", "relative", std::to_string(kSeeds) + " frames", 3}};
+                   {"off by", "relative", std::to_string(kStartsSeeds) + " frames", 3}};
   for (size_t i = 0; i < std::size(kSetups); ++i) {
-    LUEUR_TRY(seeds, render_seeds(session, candidates[std::size(kSetups) + i], "indirect", kSeeds));
+    LUEUR_TRY(seeds,
+              render_seeds(session, candidates[std::size(kSetups) + i], "indirect", kStartsSeeds));
     table.rows.push_back({name_of(kSetups[i]), seeds.noise, relative_difference(seeds.first, truth),
                           relative_difference(seeds.mean, truth)});
   }

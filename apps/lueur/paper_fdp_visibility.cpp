@@ -11,7 +11,7 @@
 namespace lueur::cli::fdp {
 namespace {
 
-constexpr char kScene[] = "table";
+constexpr char kMarchScene[] = "table";
 constexpr uint32_t kFrames = 4;
 constexpr uint32_t kTruthDivisor = 8;  // of the picture's size, for the traced share
 
@@ -46,7 +46,7 @@ std::vector<report::Cell> row_of(const std::string& name, const ImageF& without,
 
 // The same by rays, from the light that the camera sees: with and without what stands between.
 Result<std::vector<report::Cell>> traced_row(const PaperSetup& setup) {
-  LUEUR_TRY(loaded, load_scene(kScene));
+  LUEUR_TRY(loaded, load_scene(kMarchScene));
   const reference::Shot shot{std::max(setup.picture_size.width / kTruthDivisor, 1u),
                              std::max(setup.picture_size.height / kTruthDivisor, 1u), 0, 0.0f};
   const auto trace = [&](reference::Mode mode, uint32_t spp) {
@@ -65,13 +65,13 @@ Result<std::vector<report::Cell>> traced_row(const PaperSetup& setup) {
 }  // namespace
 
 Result<report::FigureSection> visibility(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kScene));
+  LUEUR_TRY(exposure_ev, exposure_of(kMarchScene));
   const std::vector<Variant> all = variants();
   std::vector<CandidateRequest> requests;
   for (const Variant& variant : all) {
     std::vector<std::string> settings = paper_settings({"start=half", "levels=5"});
     settings.insert(settings.end(), variant.settings.begin(), variant.settings.end());
-    LUEUR_TRY(request, hierarchical_request(kScene, setup.picture_size, std::move(settings)));
+    LUEUR_TRY(request, hierarchical_request(kMarchScene, setup.picture_size, std::move(settings)));
     requests.push_back(std::move(request));
   }
   LUEUR_TRY(candidates, paper_candidates(session, std::move(requests), setup));

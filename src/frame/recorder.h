@@ -22,8 +22,14 @@
 #include "gpu/command_list.h"
 #include "lueur/buffer.h"
 #include "lueur/context.h"
+#include "shading/gpu.h"
 
 namespace lueur {
+
+// An extent as parameter structures have it.
+inline ivec2 as_ivec2(Extent e) {
+  return ivec2(e.width, e.height);
+}
 
 // A persistent image that only ever is sampled, such as a scene's texture.
 struct SampledTexture {

@@ -8,7 +8,7 @@
 namespace lueur {
 namespace {
 
-constexpr Extent kExtent{4, 4};
+constexpr Extent kFew{4, 4};
 
 class RecorderDeathTest : public GpuTest {
  protected:
@@ -19,18 +19,16 @@ class RecorderDeathTest : public GpuTest {
   }
   Image ones() {
     const std::vector<vec4> pixels(16, vec4(1.0f));
-    return recorder().upload_image("ones", kExtent, Format::rgba32f, pixels.data());
+    return recorder().upload_image("ones", kFew, Format::rgba32f, pixels.data());
   }
-  Image target(Format format = Format::rgba32f) {
-    return recorder().image("target", kExtent, format);
-  }
+  Image target(Format format = Format::rgba32f) { return recorder().image("target", kFew, format); }
   void dispatch(std::vector<Bound> read, std::vector<Bound> write,
                 const Params& params = CopyParams{ivec2(4, 4), 0.0f}) {
     recorder().dispatch("test.pass", {.shader = shaders::frame_test_shaders_copy_comp,
                                       .params = params,
                                       .read = std::move(read),
                                       .write = std::move(write),
-                                      .over = kExtent});
+                                      .over = kFew});
   }
 };
 

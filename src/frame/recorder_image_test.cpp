@@ -18,10 +18,6 @@ namespace {
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
-ivec2 as_ivec2(Extent e) {
-  return ivec2(e.width, e.height);
-}
-
 class RecorderImageTest : public GpuTest {
  protected:
   void copy(const std::string& pass, Image from, Image to) {

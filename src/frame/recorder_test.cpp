@@ -15,10 +15,6 @@ namespace {
 constexpr Extent kSmall{16, 8};
 constexpr Extent kTooLarge{100'000, 1};
 
-ivec2 as_ivec2(Extent e) {
-  return ivec2(e.width, e.height);
-}
-
 class RecorderTest : public GpuTest {
  protected:
   // Writes `to` = `from` + `add`.

@@ -26,7 +26,7 @@ ImageF with_noise(ImageF image, float strength) {
   return image;
 }
 
-ImageF grey(std::vector<float> values) {
+ImageF grey_row(std::vector<float> values) {
   ImageF image(static_cast<uint32_t>(values.size()), 1, 1);
   image.samples = std::move(values);
   return image;
@@ -37,42 +37,42 @@ TEST(HdrFlip, ToneCurve) {
   for (const double x : {0.01, 0.18, 1.0, 3.0}) {
     const double y = 0.6 * x;
     const double expected = y * (2.51 * y + 0.03) / (y * (2.43 * y + 0.59) + 0.14);
-    EXPECT_NEAR(flip_exposed(grey({static_cast<float>(x)}), 0.0f).samples[0],
+    EXPECT_NEAR(flip_exposed(grey_row({static_cast<float>(x)}), 0.0f).samples[0],
                 std::min(expected, 1.0), 1e-6);
   }
-  const ImageF stops = flip_exposed(grey({0.5f, 2.0f}), 2.0f);
-  EXPECT_EQ(stops.samples[0], flip_exposed(grey({2.0f}), 0.0f).samples[0]);
-  EXPECT_EQ(flip_exposed(grey({-1.0f, 3e38f}), 0.0f).samples, (std::vector<float>{0.0f, 1.0f}));
+  const ImageF stops = flip_exposed(grey_row({0.5f, 2.0f}), 2.0f);
+  EXPECT_EQ(stops.samples[0], flip_exposed(grey_row({2.0f}), 0.0f).samples[0]);
+  EXPECT_EQ(flip_exposed(grey_row({-1.0f, 3e38f}), 0.0f).samples, (std::vector<float>{0.0f, 1.0f}));
 }
 
 TEST(HdrFlip, ExposuresGoFromTheBrightestToTheMedian) {
-  const FlipExposures e = flip_exposures(grey({0.5f, 64.0f, 0.25f, 0.75f, 0.5f}));
-  EXPECT_NEAR(flip_exposed(grey({64.0f}), e.start_ev).samples[0], 0.85f, 1e-5f);
-  EXPECT_NEAR(flip_exposed(grey({0.5f}), e.stop_ev).samples[0], 0.85f, 1e-5f);
+  const FlipExposures e = flip_exposures(grey_row({0.5f, 64.0f, 0.25f, 0.75f, 0.5f}));
+  EXPECT_NEAR(flip_exposed(grey_row({64.0f}), e.start_ev).samples[0], 0.85f, 1e-5f);
+  EXPECT_NEAR(flip_exposed(grey_row({0.5f}), e.stop_ev).samples[0], 0.85f, 1e-5f);
   EXPECT_NEAR(e.stop_ev - e.start_ev, 7.0f, 1e-5f);
   // Seven stops up to rounding, which may make them an eighth.
   EXPECT_GE(e.count, 7u);
   EXPECT_LE(e.count, 8u);
-  EXPECT_EQ(flip_exposures(grey({1.0f, 1.2f, 1.0f})).count, 2u);
+  EXPECT_EQ(flip_exposures(grey_row({1.0f, 1.2f, 1.0f})).count, 2u);
   // Of an even number of pixels, the mean of the two in the middle.
-  const FlipExposures even = flip_exposures(grey({4.0f, 1.0f, 3.0f, 64.0f}));
-  EXPECT_NEAR(flip_exposed(grey({3.5f}), even.stop_ev).samples[0], 0.85f, 1e-5f);
+  const FlipExposures even = flip_exposures(grey_row({4.0f, 1.0f, 3.0f, 64.0f}));
+  EXPECT_NEAR(flip_exposed(grey_row({3.5f}), even.stop_ev).samples[0], 0.85f, 1e-5f);
 }
 
 TEST(HdrFlip, ExposuresOfDarkPictures) {
-  const FlipExposures black = flip_exposures(grey({0.0f, 0.0f}));
+  const FlipExposures black = flip_exposures(grey_row({0.0f, 0.0f}));
   EXPECT_EQ(black.count, 1u);
   EXPECT_EQ(black.start_ev, 0.0f);
-  const FlipExposures mostly = flip_exposures(grey({0.0f, 0.0f, 0.0f, 2.0f, 16.0f}));
-  const FlipExposures lit = flip_exposures(grey({2.0f, 16.0f}));
+  const FlipExposures mostly = flip_exposures(grey_row({0.0f, 0.0f, 0.0f, 2.0f, 16.0f}));
+  const FlipExposures lit = flip_exposures(grey_row({2.0f, 16.0f}));
   EXPECT_EQ(mostly.stop_ev, lit.stop_ev);
   EXPECT_EQ(mostly.start_ev, lit.start_ev);
 }
 
 TEST(HdrFlip, MaskedPixelsAreNotMetered) {
   const Mask mask{3, 1, {1, 0, 1}};
-  const FlipExposures masked = flip_exposures(grey({1.0f, 1e6f, 2.0f}), &mask);
-  const FlipExposures without = flip_exposures(grey({1.0f, 2.0f}));
+  const FlipExposures masked = flip_exposures(grey_row({1.0f, 1e6f, 2.0f}), &mask);
+  const FlipExposures without = flip_exposures(grey_row({1.0f, 2.0f}));
   EXPECT_EQ(masked.start_ev, without.start_ev);
   EXPECT_EQ(masked.stop_ev, without.stop_ev);
 }

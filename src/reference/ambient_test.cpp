@@ -8,10 +8,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Shot kShot{24, 24};
-constexpr int kSeeds = 64;
-
 Settings ambient(float distance_m, uint32_t spp = 16) {
   return {.mode = Mode::ambient, .spp = spp, .ambient_distance_m = distance_m};
 }
@@ -45,7 +41,7 @@ TEST(Ambient, FreeOfAWallInReach) {
   const Scene scene = wall_scene(1.5f, 2);
   const auto rays = rays_of(scene, kShot);
   const auto wall = quad_corners({-1.5, 0, 0}, {3, 0, 0}, {0, 2, 0});
-  expect_unbiased(estimates(scene, kShot, ambient(100), kSeeds, "occlusion"),
+  expect_unbiased(estimates(scene, kShot, ambient(100), kSeedCount, "occlusion"),
                   [&](size_t i) -> std::optional<double> {
                     const auto p = on_floor(rays[i]);
                     if (!p) return std::nullopt;
@@ -81,14 +77,15 @@ TEST(Ambient, EndsAtItsDistance) {
   constexpr double kReach = 0.9;
   const Scene scene = wall_scene(5, 5);
   const auto rays = rays_of(scene, kShot);
-  expect_unbiased(estimates(scene, kShot, ambient(static_cast<float>(kReach)), kSeeds, "occlusion"),
-                  [&](size_t i) -> std::optional<double> {
-                    const auto p = on_floor(rays[i]);
-                    if (!p) return std::nullopt;
-                    const double q = p->z / kReach;
-                    if (q >= 1) return 1.0;
-                    return 1.0 - (std::acos(q) - q * std::sqrt(1 - q * q)) / kPi;
-                  });
+  expect_unbiased(
+      estimates(scene, kShot, ambient(static_cast<float>(kReach)), kSeedCount, "occlusion"),
+      [&](size_t i) -> std::optional<double> {
+        const auto p = on_floor(rays[i]);
+        if (!p) return std::nullopt;
+        const double q = p->z / kReach;
+        if (q >= 1) return 1.0;
+        return 1.0 - (std::acos(q) - q * std::sqrt(1 - q * q)) / kPi;
+      });
 }
 
 TEST(Ambient, InsideABox) {

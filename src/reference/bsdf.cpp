@@ -14,7 +14,7 @@ constexpr float kBelowOne = 0x1.fffffep-1f;
 constexpr float kWideAlpha = 0.5f;
 constexpr float kLeastCosView = 1e-3f;  // as in the renderer's light pass
 
-float luminance(const glm::vec3& c) {
+float luminance_of(const glm::vec3& c) {
   return lueur::luminance(c.r, c.g, c.b);
 }
 
@@ -81,12 +81,12 @@ Bsdf::Bsdf(const BsdfParameters& parameters, float least_diffuse_share)
     lobe_axis_ = {lobe.c_xy * eye_local_.x, lobe.c_xy * eye_local_.y, lobe.c_z * eye_local_.z};
     const float length = glm::length(lobe_axis_);
     lobe_axis_ = length > 0.0f ? lobe_axis_ / length : glm::vec3(0, 0, 1);
-    specular_albedo = luminance(lobe.color);
+    specular_albedo = luminance_of(lobe.color);
   } else {
-    specular_albedo =
-        luminance(fresnel_schlick(parameters_.specular_f0, parameters_.specular_f90, eye_local_.z));
+    specular_albedo = luminance_of(
+        fresnel_schlick(parameters_.specular_f0, parameters_.specular_f90, eye_local_.z));
   }
-  const float diffuse_albedo = luminance(parameters_.diffuse_albedo);
+  const float diffuse_albedo = luminance_of(parameters_.diffuse_albedo);
   // A wide lobe is as well found by the cosine, which is quicker.
   const bool is_wide = !parameters_.phong && alpha_ > kWideAlpha;
   if (specular_albedo > 0.0f && !is_wide)

@@ -14,7 +14,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kEyeAzimuth = 0.7;
 
 struct Lobe {

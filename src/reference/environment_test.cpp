@@ -12,10 +12,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Shot kShot{24, 24};
-constexpr int kSeeds = 64;
-
 Environment uniform(float radiance) {
   return {.width = 8, .height = 4, .rgb = std::vector<float>(8 * 4 * 3, radiance)};
 }
@@ -38,7 +34,7 @@ TEST(EnvironmentLight, UniformOneAroundABox) {
   scene.materials[0].specular = 0.0f;
   scene.environment = uniform(2.0f);
   scene.environment->intensity = 1.5f;
-  expect_unbiased(estimates(scene, kShot, {.bounces = 3, .spp = 16}, kSeeds),
+  expect_unbiased(estimates(scene, kShot, {.bounces = 3, .spp = 16}, kSeedCount),
                   on_surfaces(scene, 3.0));
 }
 
@@ -59,10 +55,10 @@ TEST(EnvironmentLight, UniformOneEqualsAGlowingRoom) {
   const int32_t glow = add_diffuse(room, 0, 2);
   room.meshes.back().primitives[0].material = glow;
   const auto in_open =
-      estimates_of_both(open, kShot, {.spp = 16}, kSeeds, "indirect_specular", "depth");
+      estimates_of_both(open, kShot, {.spp = 16}, kSeedCount, "indirect_specular", "depth");
   Estimates in_room =
-      estimates(room, kShot, {.spp = 16, .seed = 1000}, kSeeds, "indirect_specular");
-  Estimates kept_open{kSeeds, {}, {}}, kept_room{kSeeds, {}, {}};
+      estimates(room, kShot, {.spp = 16, .seed = 1000}, kSeedCount, "indirect_specular");
+  Estimates kept_open{kSeedCount, {}, {}}, kept_room{kSeedCount, {}, {}};
   for (size_t i = 0; i < in_room.mean.size(); ++i) {
     if (!(in_open.second.mean[i] > 0.0)) continue;  // beside the floor
     kept_open.mean.push_back(in_open.first.mean[i]);
@@ -93,7 +89,7 @@ TEST(EnvironmentLight, OnePixelSunOverAFloor) {
   // The integral of cos over the pixel's solid angle, sin dtheta dphi.
   const double squares = std::pow(std::cos(kTop), 2) - std::pow(std::cos(kBottom), 2);
   const double exact = kSunRadiance * (kRight - kLeft) * 0.5 * squares / kPi;
-  expect_unbiased(estimates(scene, kShot, {.spp = 16}, kSeeds), on_surfaces(scene, exact));
+  expect_unbiased(estimates(scene, kShot, {.spp = 16}, kSeedCount), on_surfaces(scene, exact));
 }
 
 // On a wall that faces +x; the direction of angle phi has the x of sin(theta) sin(phi), and turned
@@ -108,7 +104,7 @@ TEST(EnvironmentLight, OnePixelSunTurned) {
   const auto integral_of_sin2 = [](double a) { return 0.5 * a - 0.25 * std::sin(2 * a); };
   const double exact = kSunRadiance / kPi * (integral_of_sin2(kBottom) - integral_of_sin2(kTop)) *
                        (std::cos(kLeft - kTurn) - std::cos(kRight - kTurn));
-  expect_unbiased(estimates(scene, kShot, {.spp = 16}, kSeeds), on_surfaces(scene, exact));
+  expect_unbiased(estimates(scene, kShot, {.spp = 16}, kSeedCount), on_surfaces(scene, exact));
 }
 
 TEST(EnvironmentLight, OnlyPathTakesIt) {

@@ -11,8 +11,8 @@
 namespace lueur::reference {
 namespace {
 
-constexpr Shot kShot{16, 16};
-constexpr int kSeeds = 48;
+constexpr Shot kInside{16, 16};
+constexpr int kInsideSeeds = 48;
 
 // In a closed room of one albedo rho and emission e, n surfaces between light and receiver give
 // E/pi = e (1 + rho + ... + rho^(n - 1)), whatever the room's shape.
@@ -47,7 +47,7 @@ TEST_P(FurnaceTest, BouncesAreAGeometricSeries) {
   scene.materials[0].emission = glm::vec3(2.0f);
   const Settings settings{.bounces = furnace.bounces, .spp = 16};
   const double exact = series(2.0, static_cast<double>(0.7f), furnace.bounces);
-  expect_unbiased(estimates(scene, kShot, settings, kSeeds), [&](size_t) { return exact; });
+  expect_unbiased(estimates(scene, kInside, settings, kInsideSeeds), [&](size_t) { return exact; });
 }
 
 // Albedo rho, emission 1 - rho: radiance is 1 everywhere after infinitely many bounces, and
@@ -131,7 +131,7 @@ TEST_P(CoatTest, ReflectsTheShareOfItsLobe) {
   scene.nodes[0].rotation = builtin::look_along({-0.6f, -0.9f, -0.7f});
 
   const auto [diffuse, specular] =
-      estimates_of_both(scene, shot, {.spp = 32}, kSeeds, "indirect", "indirect_specular");
+      estimates_of_both(scene, shot, {.spp = 32}, kInsideSeeds, "indirect", "indirect_specular");
   const auto to_eye = [&](const PixelRay& ray) -> std::optional<glm::vec3> {
     const auto p = meet_plane(ray, {0, -0.9, 0}, {0, 1, 0});
     if (!p || std::abs(p->x) > 0.89 || std::abs(p->z) > 0.89) return std::nullopt;
@@ -175,7 +175,7 @@ TEST(Furnace, ThePictureIsTheSumOfItsLayers) {
   scene.materials[0].roughness = 0.5f;
   scene.materials[0].emission = glm::vec3(0.1f, 0.2f, 0.3f);
   add_light(scene, LightKind::point, 3.0f, {0.2f, 0.7f, 0.1f});
-  const Rendering r = rendered(scene, kShot, {.spp = 8});
+  const Rendering r = rendered(scene, kInside, {.spp = 8});
   const ImageF &picture = layer(r, ""), &direct = layer(r, "direct"), &source = layer(r, "source"),
                &specular = layer(r, "specular"), &albedo = layer(r, "albedo"),
                &indirect = layer(r, "indirect"), &glossy = layer(r, "indirect_specular");

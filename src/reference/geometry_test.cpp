@@ -11,8 +11,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Shot kShot{24, 24};
 constexpr Settings kFew{.spp = 8};
 
 // A square of side 1 upright at z = 0, before a camera at z = 2 that looks straight at it.

@@ -13,9 +13,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Shot kShot{24, 24};
-constexpr int kSeeds = 64;
 constexpr Settings kOneBounce{.spp = 16};
 
 using Polygon = std::vector<glm::dvec3>;
@@ -50,7 +47,8 @@ TEST(LightPaths, ParallelPlate) {
   const int32_t glow = add_diffuse(scene, 0, 3);
   add_quad(scene, {-0.8f, 1.2f, 0.3f}, {1.6f, 0, 0}, {0, 0, -0.9f}, glow);
   const auto plate = quad_corners({-0.8, 1.2, 0.3}, {1.6, 0, 0}, {0, 0, -0.9});
-  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeeds), floor_under(scene, {{3, plate}}));
+  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeedCount),
+                  floor_under(scene, {{3, plate}}));
 }
 
 // On the axis of a disc of radius a at height h: a^2 / (a^2 + h^2).
@@ -73,7 +71,7 @@ TEST(LightPaths, PointUnderADisc) {
   builtin::add_mesh(scene, builder.finish("disc"));
   // One pixel, which looks at the point below the disc's centre.
   const Shot shot{1, 1};
-  const Estimates found = estimates(scene, shot, {.spp = 256}, kSeeds);
+  const Estimates found = estimates(scene, shot, {.spp = 256}, kSeedCount);
   const double exact = kRadius * kRadius / (kRadius * kRadius + kHeight * kHeight);
   // The rim of 256 corners has 1e-4 less area than the circle.
   EXPECT_NEAR(found.mean[0], exact, 5 * found.error[0] + 1e-4 * exact);
@@ -87,7 +85,7 @@ TEST(LightPaths, SmallEmitterAndOneThatTouchesTheFloor) {
   add_quad(scene, {-0.9f, 0.5f, 0.2f}, {0.04f, 0, 0}, {0, 0, -0.05f}, add_diffuse(scene, 0, 700));
   add_quad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 0.6f, 0}, add_diffuse(scene, 0, 2));
   expect_unbiased(
-      estimates(scene, kShot, kOneBounce, kSeeds),
+      estimates(scene, kShot, kOneBounce, kSeedCount),
       floor_under(scene, {{700, quad_corners({-0.9, 0.5, 0.2}, {0.04, 0, 0}, {0, 0, -0.05})},
                           {2, quad_corners({-1, 0, -1}, {2, 0, 0}, {0, 0.6, 0})}}));
 }
@@ -103,7 +101,7 @@ TEST(LightPaths, EmitterInAGlowingRoom) {
   add_quad(scene, {-1, 0, -1}, {2, 0, 0}, {0, 0.6f, 0}, add_diffuse(scene, 0, 2));
   const auto more =
       floor_under(scene, {{2 - kRoom, quad_corners({-1, 0, -1}, {2, 0, 0}, {0, 0.6, 0})}});
-  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeeds),
+  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeedCount),
                   [&](size_t i) -> std::optional<double> {
                     const auto value = more(i);
                     return value ? kRoom + *value : value;
@@ -122,7 +120,7 @@ TEST(LightPaths, TexturedEmitter) {
   scene.materials.back().emission_texture = 0;
   add_quad(scene, {-0.8f, 0.9f, 0.3f}, {1.6f, 0, 0}, {0, 0, -1.2f}, glow);
   const glm::dvec3 u(0.8, 0, 0), v(0, 0, -0.6), corner(-0.8, 0.9, static_cast<double>(0.3f));
-  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeeds),
+  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeedCount),
                   floor_under(scene, {{5, quad_corners(corner, u, v)},
                                       {5, quad_corners(corner + u + v, u, v)}}));
 }
@@ -140,7 +138,7 @@ TEST(LightPaths, EmitterWhoseMeanRoundsToBlack) {
   add_quad(scene, {-0.8f, 0.9f, 0.3f}, {1.6f, 0, 0}, {0, 0, -1.2f}, glow);
   // All of the quad lies within the texel.
   for (Vertex& v : scene.meshes.back().vertices) v.uv = glm::vec2(64.25f) / 128.0f + v.uv / 256.0f;
-  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeeds),
+  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeedCount),
                   floor_under(scene, {{1, quad_corners({-0.8, 0.9, static_cast<double>(0.3f)},
                                                        {1.6, 0, 0}, {0, 0, -1.2})}}));
 }
@@ -155,7 +153,7 @@ TEST(LightPaths, MaskedEmitter) {
   scene.materials.back().base_color_texture = 0;
   scene.materials.back().alpha_mode = AlphaMode::mask;
   add_quad(scene, {-0.8f, 0.9f, 0.3f}, {1.6f, 0, 0}, {0, 0, -1.2f}, glow);
-  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeeds),
+  expect_unbiased(estimates(scene, kShot, kOneBounce, kSeedCount),
                   floor_under(scene, {{5, quad_corners({-0.8, 0.9, static_cast<double>(0.3f)},
                                                        {0.8, 0, 0}, {0, 0, -1.2})}}));
 }
@@ -203,7 +201,7 @@ TEST(LightPaths, ManyPunctualLights) {
       }
     return 2.0 * 1.2 * 0.8 / (kPi * kPi) * sum;
   };
-  expect_unbiased(estimates(scene, kShot, {.spp = 32}, kSeeds), exact);
+  expect_unbiased(estimates(scene, kShot, {.spp = 32}, kSeedCount), exact);
 }
 
 // Direct light is exact: a sphere under a point light and a directional one.
@@ -278,7 +276,8 @@ TEST(LightPaths, ScreenEqualsPathWhereTheCameraSeesEverything) {
     Settings screen = path;
     screen.mode = Mode::screen;
     screen.seed = 1;
-    expect_same(estimates(scene, kShot, path, kSeeds), estimates(scene, kShot, screen, kSeeds));
+    expect_same(estimates(scene, kShot, path, kSeedCount),
+                estimates(scene, kShot, screen, kSeedCount));
   }
 }
 
@@ -294,7 +293,8 @@ TEST(LightPaths, ScreenEqualsPathOnGlossySurfacesUnderEmission) {
   Settings path = kOneBounce, screen = kOneBounce;
   screen.mode = Mode::screen;
   screen.seed = 1;
-  expect_same(estimates(scene, kShot, path, kSeeds), estimates(scene, kShot, screen, kSeeds));
+  expect_same(estimates(scene, kShot, path, kSeedCount),
+              estimates(scene, kShot, screen, kSeedCount));
 }
 
 // With punctual light on gloss, `path` has the gloss of what it sees on top.

@@ -11,7 +11,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // Of a pixel's mean over its seeds: the estimates are floats and so are their sums.
 constexpr double kRounding = 4e-7;
 

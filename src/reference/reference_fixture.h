@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,11 @@
 #include "support/test_scene.h"
 
 namespace lueur::reference {
+
+inline constexpr double kPi = std::numbers::pi;
+// For estimates(): few pixels, many seeds.
+inline constexpr Shot kShot{24, 24};
+inline constexpr int kSeedCount = 64;
 
 // A Lambert surface that the camera sees from both sides. Returns the material.
 int32_t add_diffuse(Scene& scene, float albedo, float emission = 0.0f);

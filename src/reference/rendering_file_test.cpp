@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Shot kShot{16, 12};
+constexpr Shot kStored{16, 12};
 
 // Has a folder of its own, which is the cache.
 class RenderingFileTest : public testing::Test {
@@ -30,7 +30,7 @@ class RenderingFileTest : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   CachedRendering cached(const Settings& settings = {.spp = 16}, const Control& control = {}) {
-    auto result = render_cached(scene_, kShot, settings, control);
+    auto result = render_cached(scene_, kStored, settings, control);
     EXPECT_TRUE(result.ok()) << result.error().message;
     return result.ok() ? std::move(*result) : CachedRendering{};
   }
@@ -47,7 +47,7 @@ class RenderingFileTest : public testing::Test {
 };
 
 TEST_F(RenderingFileTest, IsReadAsItWasWritten) {
-  const Rendering r = rendered(scene_, kShot, {.spp = 16});
+  const Rendering r = rendered(scene_, kStored, {.spp = 16});
   ASSERT_TRUE(write_rendering(folder_ / "r.exr", r, {{"lueur.scene", "box"}}).ok());
   const auto back = read_rendering(folder_ / "r.exr");
   ASSERT_TRUE(back.ok()) << back.error().message;
@@ -134,13 +134,13 @@ TEST_F(RenderingFileTest, LongerStatesAreNotKept) {
   std::vector<uint8_t> state;
   Control control{.checkpoint = [&](const std::vector<uint8_t>& s) { state = s; },
                   .checkpoint_s = 0};
-  rendered(scene_, kShot, {.spp = 64}, control);
-  const auto more = render_cached(scene_, kShot, {.spp = 16}, {}, state);
+  rendered(scene_, kStored, {.spp = 64}, control);
+  const auto more = render_cached(scene_, kStored, {.spp = 16}, {}, state);
   ASSERT_TRUE(more.ok());
   EXPECT_EQ(more->rendering.progress.spp_done, 64u);
   const CachedRendering plain = cached({.spp = 16});
   EXPECT_EQ(plain.rendering.progress.spp_done, 16u);
-  EXPECT_TRUE(same_layers(plain.rendering, rendered(scene_, kShot, {.spp = 16})));
+  EXPECT_TRUE(same_layers(plain.rendering, rendered(scene_, kStored, {.spp = 16})));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace lueur::reference {
 namespace {
 
 // Two columns and rows of tiles, none of them whole.
-constexpr Shot kShot{29, 21};
+constexpr Shot kOdd{29, 21};
 
 // A box with everything that takes random numbers: several lights, emitters, gloss, long paths.
 Scene scene() {
@@ -41,17 +41,17 @@ INSTANTIATE_TEST_SUITE_P(Modes, ResumeTest,
 
 TEST_P(ResumeTest, ThreadsDoNotMatter) {
   const Scene s = scene();
-  const Rendering one = rendered(s, kShot, GetParam().settings, {.threads = 1});
+  const Rendering one = rendered(s, kOdd, GetParam().settings, {.threads = 1});
   EXPECT_TRUE(one.complete);
   EXPECT_TRUE(one.state.empty());
   for (const uint32_t threads : {2u, 3u, 7u})
-    EXPECT_TRUE(same_layers(one, rendered(s, kShot, GetParam().settings, {.threads = threads})))
+    EXPECT_TRUE(same_layers(one, rendered(s, kOdd, GetParam().settings, {.threads = threads})))
         << threads << " threads";
   Settings other = GetParam().settings;
   ++other.seed;
   // All pixels make one sum, in whatever order.
   if (other.mode != Mode::screen_unoccluded) {
-    EXPECT_FALSE(same_layers(one, rendered(s, kShot, other)));
+    EXPECT_FALSE(same_layers(one, rendered(s, kOdd, other)));
   }
 }
 
@@ -67,13 +67,13 @@ Rendering stopped_after(const Scene& s, const Settings& settings, uint32_t passe
                         if (reports++ == passes) stop.request_stop();
                       },
                   .stop = stop.get_token()};
-  return rendered(s, kShot, settings, control, state);
+  return rendered(s, kOdd, settings, control, state);
 }
 
 TEST_P(ResumeTest, GoesOnToTheSameBits) {
   const Scene s = scene();
   const Settings settings = GetParam().settings;
-  const Rendering whole = rendered(s, kShot, settings);
+  const Rendering whole = rendered(s, kOdd, settings);
   for (const uint32_t passes : {0u, 1u, 2u}) {
     if (passes * kSamplesPerPass >= whole.progress.spp_done) continue;
     const Rendering part = stopped_after(s, settings, passes);
@@ -83,7 +83,7 @@ TEST_P(ResumeTest, GoesOnToTheSameBits) {
     // Once more on the way.
     const Rendering further = stopped_after(s, settings, passes == 1 ? 1 : 0, part.state);
     ASSERT_FALSE(further.complete);
-    const Rendering end = rendered(s, kShot, settings, {.threads = 3}, further.state);
+    const Rendering end = rendered(s, kOdd, settings, {.threads = 3}, further.state);
     EXPECT_TRUE(end.complete);
     EXPECT_EQ(end.progress.spp_done, whole.progress.spp_done);
     EXPECT_EQ(end.progress.relative_error, whole.progress.relative_error);
@@ -96,7 +96,7 @@ TEST(Resume, GoesOnToMoreSamples) {
   const Settings few{.bounces = 3, .spp = 64}, many{.bounces = 3, .spp = 128};
   const Rendering part = stopped_after(s, few, 2);
   EXPECT_EQ(part.progress.spp_done, 2 * kSamplesPerPass);
-  EXPECT_TRUE(same_layers(rendered(s, kShot, many, {}, part.state), rendered(s, kShot, many)));
+  EXPECT_TRUE(same_layers(rendered(s, kOdd, many, {}, part.state), rendered(s, kOdd, many)));
 }
 
 TEST(Resume, CheckpointsAreStates) {
@@ -105,10 +105,10 @@ TEST(Resume, CheckpointsAreStates) {
   std::vector<std::vector<uint8_t>> states;
   Control control{.checkpoint = [&](const std::vector<uint8_t>& state) { states.push_back(state); },
                   .checkpoint_s = 0};
-  const Rendering whole = rendered(s, kShot, settings, control);
+  const Rendering whole = rendered(s, kOdd, settings, control);
   ASSERT_EQ(states.size(), 5u);
   for (const auto& state : states)
-    EXPECT_TRUE(same_layers(rendered(s, kShot, settings, {}, state), whole));
+    EXPECT_TRUE(same_layers(rendered(s, kOdd, settings, {}, state), whole));
 }
 
 void expect_refused(const Scene& s, const Shot& shot, const Settings& settings,
@@ -127,21 +127,21 @@ TEST(Resume, RefusesWhatItDoesNotFit) {
 
   Scene brighter = s;
   brighter.lights[0].intensity *= 2;
-  expect_refused(brighter, kShot, settings, state, "another");
-  expect_refused(s, {kShot.width, kShot.height + 1}, settings, state, "another");
+  expect_refused(brighter, kOdd, settings, state, "another");
+  expect_refused(s, {kOdd.width, kOdd.height + 1}, settings, state, "another");
   Settings other = settings;
   other.bounces = 3;
-  expect_refused(s, kShot, other, state, "another");
+  expect_refused(s, kOdd, other, state, "another");
   other = settings;
   other.seed = 9;
-  expect_refused(s, kShot, other, state, "another");
+  expect_refused(s, kOdd, other, state, "another");
 
   for (const size_t bytes : {size_t{1}, size_t{7}, size_t{40}, state.size() / 2, state.size() - 1})
-    expect_refused(s, kShot, settings, std::span(state).first(bytes), "damaged");
+    expect_refused(s, kOdd, settings, std::span(state).first(bytes), "damaged");
   std::vector<uint8_t> longer = state;
   longer.push_back(0);
-  expect_refused(s, kShot, settings, longer, "damaged");
-  expect_refused(s, kShot, settings, std::vector<uint8_t>(200, 'x'), "not a reference's");
+  expect_refused(s, kOdd, settings, longer, "damaged");
+  expect_refused(s, kOdd, settings, std::vector<uint8_t>(200, 'x'), "not a reference's");
 }
 
 TEST(Resume, RefusesAnyFlippedBit) {
@@ -153,7 +153,7 @@ TEST(Resume, RefusesAnyFlippedBit) {
        byte += byte < 64 || byte + 9 > state.size() ? 1 : 4099) {
     std::vector<uint8_t> damaged = state;
     damaged[byte] = static_cast<uint8_t>(damaged[byte] ^ (1u << (byte % 8)));
-    const auto r = render(s, kShot, settings, {}, damaged);
+    const auto r = render(s, kOdd, settings, {}, damaged);
     ASSERT_FALSE(r.ok()) << "byte " << byte;
     EXPECT_EQ(r.error().kind, ErrorKind::input);
   }
@@ -168,7 +168,7 @@ TEST(TargetError, StopsAndIsHonest) {
   const double f = static_cast<double>(0.7f), exact = 2 * (1 + f + f * f);
   for (const double target : {0.003, 0.0015}) {
     const Settings settings{.bounces = 3, .spp = 1u << 14, .target_error = target};
-    const Rendering r = rendered(s, kShot, settings);
+    const Rendering r = rendered(s, kOdd, settings);
     EXPECT_TRUE(r.complete);
     EXPECT_LT(r.progress.spp_done, r.progress.spp_total);
     EXPECT_LE(r.progress.relative_error, target);
@@ -178,7 +178,7 @@ TEST(TargetError, StopsAndIsHonest) {
       squares += std::pow(static_cast<double>(indirect.samples[i]) - exact, 2);
       estimated += static_cast<double>(variance.samples[i]);
     }
-    const double n = kShot.width * kShot.height;
+    const double n = kOdd.width * kOdd.height;
     const double error = std::sqrt(squares / n) / exact;
     // 609 pixels give the root mean square itself to 1 / sqrt(2 * 609) = 3 %.
     EXPECT_LE(error, 1.2 * r.progress.relative_error);
@@ -196,7 +196,7 @@ TEST(TargetError, ReportsCountUp) {
   const Scene s = scene();
   std::vector<Progress> reports;
   const Control control{.progress = [&](const Progress& p) { reports.push_back(p); }};
-  rendered(s, kShot, {.spp = 4 * kSamplesPerPass - 1}, control);
+  rendered(s, kOdd, {.spp = 4 * kSamplesPerPass - 1}, control);
   ASSERT_EQ(reports.size(), 5u);
   for (uint32_t k = 0; k < 5; ++k) {
     EXPECT_EQ(reports[k].spp_done, kSamplesPerPass * k);

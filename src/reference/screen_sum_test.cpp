@@ -13,9 +13,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr Shot kShot{24, 24};
-
 // A room with all that the sum can meet: slanted faces, several colours, what faces away, nothing.
 Scene sum_scene() {
   Scene scene = scene_seen_from({0.5f, 1.1f, 2.4f}, {0, 0.4f, 0});

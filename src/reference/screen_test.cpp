@@ -10,8 +10,6 @@
 namespace lueur::reference {
 namespace {
 
-constexpr Shot kShot{24, 24};
-
 float brightest(const Rendering& rendering) {
   const ImageF& indirect = layer(rendering, "indirect");
   return *std::max_element(indirect.samples.begin(), indirect.samples.end());

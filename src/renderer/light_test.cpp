@@ -10,7 +10,6 @@
 namespace lueur {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr glm::dvec3 kUp{0, 1, 0};
 
 class LightTest : public RendererTest {

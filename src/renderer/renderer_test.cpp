@@ -13,7 +13,6 @@
 namespace lueur {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr float kNothing = 0.0f;  // depth where nothing is
 
 class SurfaceTest : public RendererTest {

@@ -9,8 +9,6 @@
 namespace lueur {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 enum class Kind { point, narrow_spot, wide_spot, directional };
 constexpr const char* kNames[] = {"point", "narrow_spot", "wide_spot", "directional"};
 

@@ -10,10 +10,6 @@
 
 namespace lueur {
 
-inline ivec2 as_ivec2(Extent e) {
-  return ivec2(e.width, e.height);
-}
-
 class ViewPasses {
  public:
   // Passes are called `name`.g_buffer and so on. `view_before` is what motion leads to.

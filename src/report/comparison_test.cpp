@@ -6,18 +6,13 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 
 #include "report/page_sources.h"
+#include "report/report_fixture.h"
 
 namespace lueur::report {
 namespace {
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 size_t count_of(std::string_view text, std::string_view part) {
   size_t count = 0;

@@ -4,22 +4,16 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "image/png.h"
+#include "report/report_fixture.h"
 #include "report/text.h"
 
 namespace lueur::report {
 namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // What stands in the page's element of this id.
 std::string script_text(const std::string& page, const std::string& id) {

@@ -9,8 +9,6 @@
 namespace lueur {
 namespace {
 
-using Json = GlbWriter::Json;
-
 int add_times(GlbWriter& glb, const std::vector<float>& times_s) {
   const int input = glb.add_array(times_s, kGltfFloat, "SCALAR");
   glb.json()["accessors"][input]["min"] = {times_s.front()};
@@ -18,7 +16,7 @@ int add_times(GlbWriter& glb, const std::vector<float>& times_s) {
   return input;
 }
 
-Json sampler_json(const AnimationChannel& channel, int input, int output) {
+OrderedJson sampler_json(const AnimationChannel& channel, int input, int output) {
   const char* name = channel.interpolation == Interpolation::step     ? "STEP"
                      : channel.interpolation == Interpolation::linear ? "LINEAR"
                                                                       : "CUBICSPLINE";
@@ -27,7 +25,8 @@ Json sampler_json(const AnimationChannel& channel, int input, int output) {
 
 // glTF keeps the weights of all targets of a node in one sampler: it is made of the node's
 // channels, which the loader has taken apart.
-void add_morph_animation(GlbWriter& glb, const Scene& scene, Json& samplers, Json& channels) {
+void add_morph_animation(GlbWriter& glb, const Scene& scene, OrderedJson& samplers,
+                         OrderedJson& channels) {
   std::map<int32_t, std::vector<const AnimationChannel*>> by_node;
   for (const AnimationChannel& channel : scene.animation)
     if (channel.path == AnimationPath::morph_weight) by_node[channel.node].push_back(&channel);
@@ -52,7 +51,7 @@ void add_morph_animation(GlbWriter& glb, const Scene& scene, Json& samplers, Jso
 
 void export_animation(GlbWriter& glb, const Scene& scene) {
   if (scene.animation.empty()) return;
-  Json samplers = Json::array(), channels = Json::array();
+  OrderedJson samplers = OrderedJson::array(), channels = OrderedJson::array();
   for (const AnimationChannel& channel : scene.animation) {
     if (channel.path == AnimationPath::morph_weight) continue;
     const bool is_rotation = channel.path == AnimationPath::rotation;

@@ -13,8 +13,6 @@
 namespace lueur {
 namespace {
 
-using Json = GlbWriter::Json;
-
 // glTF's numbers of sampler modes.
 constexpr int kNearest = 9728, kLinear = 9729, kLinearMipmapLinear = 9987;
 constexpr int kClampToEdge = 33071, kMirroredRepeat = 33648, kRepeat = 10497;
@@ -60,17 +58,17 @@ Result<std::vector<uint8_t>> encode_png(const Texture& texture) {
 }
 
 int add_sampler(GlbWriter& glb, const Texture& texture) {
-  const Json sampler = {{"magFilter", texture.nearest ? kNearest : kLinear},
-                        {"minFilter", kLinearMipmapLinear},
-                        {"wrapS", wrap_mode(texture.wrap_u)},
-                        {"wrapT", wrap_mode(texture.wrap_v)}};
-  const Json& samplers = glb.json()["samplers"];
+  const OrderedJson sampler = {{"magFilter", texture.nearest ? kNearest : kLinear},
+                               {"minFilter", kLinearMipmapLinear},
+                               {"wrapS", wrap_mode(texture.wrap_u)},
+                               {"wrapT", wrap_mode(texture.wrap_v)}};
+  const OrderedJson& samplers = glb.json()["samplers"];
   const auto found = std::find(samplers.begin(), samplers.end(), sampler);
   return found != samplers.end() ? int(found - samplers.begin()) : glb.add_to("samplers", sampler);
 }
 
 // Scale, angle and offset of a transform without shear, which is all that files can bring.
-Json transform_json(const glm::mat3x2& m) {
+OrderedJson transform_json(const glm::mat3x2& m) {
   const glm::vec2 scale(glm::length(m[0]),
                         glm::length(m[1]) * (glm::determinant(glm::mat2(m)) < 0.0f ? -1 : 1));
   return {{"offset", {m[2].x, m[2].y}},
@@ -78,7 +76,7 @@ Json transform_json(const glm::mat3x2& m) {
           {"scale", {scale.x, scale.y}}};
 }
 
-bool set_texture(GlbWriter& glb, Json& object, const char* slot, const TextureUse& use) {
+bool set_texture(GlbWriter& glb, OrderedJson& object, const char* slot, const TextureUse& use) {
   if (!use.is_used()) return false;
   object[slot] = {{"index", use.texture}};
   if (use.uv_set != 0) object[slot]["texCoord"] = use.uv_set;
@@ -90,7 +88,7 @@ bool set_texture(GlbWriter& glb, Json& object, const char* slot, const TextureUs
 }
 
 // A factor of up to 1 for each channel, times a strength where that does not reach.
-void set_emission(GlbWriter& glb, Json& material, glm::vec3 emission) {
+void set_emission(GlbWriter& glb, OrderedJson& material, glm::vec3 emission) {
   const float strength = std::max({emission.x, emission.y, emission.z, 1.0f});
   if (emission != glm::vec3(0.0f))
     material["emissiveFactor"] = vector_json(glm::min(emission / strength, glm::vec3(1.0f)));
@@ -99,7 +97,7 @@ void set_emission(GlbWriter& glb, Json& material, glm::vec3 emission) {
   glb.use_extension("KHR_materials_emissive_strength");
 }
 
-void set_specular(GlbWriter& glb, Json& material, float specular) {
+void set_specular(GlbWriter& glb, OrderedJson& material, float specular) {
   if (specular == 1.0f) return;
   material["extensions"]["KHR_materials_specular"] = {{"specularFactor", specular}};
   glb.use_extension("KHR_materials_specular");
@@ -121,19 +119,19 @@ Result<void> export_textures(GlbWriter& glb, const Scene& scene) {
 
 void export_materials(GlbWriter& glb, const Scene& scene) {
   for (const Material& m : scene.materials) {
-    Json pbr = {{"baseColorFactor", vector_json(m.base_color)},
-                {"metallicFactor", m.metallic},
-                {"roughnessFactor", m.roughness}};
+    OrderedJson pbr = {{"baseColorFactor", vector_json(m.base_color)},
+                       {"metallicFactor", m.metallic},
+                       {"roughnessFactor", m.roughness}};
     set_texture(glb, pbr, "baseColorTexture", m.base_color_texture);
     set_texture(glb, pbr, "metallicRoughnessTexture", m.metallic_roughness_texture);
-    Json material = {{"name", m.name}, {"pbrMetallicRoughness", std::move(pbr)}};
+    OrderedJson material = {{"name", m.name}, {"pbrMetallicRoughness", std::move(pbr)}};
     if (set_texture(glb, material, "normalTexture", m.normal_texture))
       material["normalTexture"]["scale"] = m.normal_scale;
     set_texture(glb, material, "emissiveTexture", m.emission_texture);
     set_emission(glb, material, m.emission);
     set_specular(glb, material, m.specular);
     if (m.unlit) {
-      material["extensions"]["KHR_materials_unlit"] = Json::object();
+      material["extensions"]["KHR_materials_unlit"] = OrderedJson::object();
       glb.use_extension("KHR_materials_unlit");
     }
     if (m.alpha_mode == AlphaMode::mask) {

@@ -9,13 +9,11 @@
 namespace lueur {
 namespace {
 
-using Json = GlbWriter::Json;
-
 static_assert(sizeof(Vertex) == 64, "vertices are written as they lie in memory");
 
 // What glTF wants of each accessor of positions.
 template <class T, class Projection = std::identity>
-void set_range(Json& accessor, const std::vector<T>& values, Projection position = {}) {
+void set_range(OrderedJson& accessor, const std::vector<T>& values, Projection position = {}) {
   glm::vec3 low = std::invoke(position, values[0]), high = low;
   for (const T& value : values) {
     low = glm::min(low, std::invoke(position, value));
@@ -25,7 +23,7 @@ void set_range(Json& accessor, const std::vector<T>& values, Projection position
   accessor["max"] = vector_json(high);
 }
 
-void add_influences(GlbWriter& glb, const Mesh& mesh, Json& attributes) {
+void add_influences(GlbWriter& glb, const Mesh& mesh, OrderedJson& attributes) {
   if (mesh.influences.empty()) return;
   std::vector<glm::u16vec4> joints;
   std::vector<glm::vec4> weights;
@@ -40,10 +38,10 @@ void add_influences(GlbWriter& glb, const Mesh& mesh, Json& attributes) {
   attributes["WEIGHTS_0"] = glb.add_array(weights, kGltfFloat, "VEC4", kGltfArrayBuffer);
 }
 
-Json add_morph_targets(GlbWriter& glb, const Mesh& mesh) {
-  Json targets = Json::array();
+OrderedJson add_morph_targets(GlbWriter& glb, const Mesh& mesh) {
+  OrderedJson targets = OrderedJson::array();
   for (const MorphTarget& target : mesh.morph_targets) {
-    Json object = Json::object();
+    OrderedJson object = OrderedJson::object();
     const auto add = [&](const char* key, const std::vector<glm::vec3>& values) {
       object[key] = glb.add_array(values, kGltfFloat, "VEC3", kGltfArrayBuffer);
     };
@@ -73,11 +71,11 @@ bool reads_uv_2(const Material& m) {
 
 // The attributes that all primitives of the mesh share. What all vertices have as if it were not
 // there is not written, unless a material asks for it.
-Json add_attributes(GlbWriter& glb, const Scene& scene, const Mesh& mesh, int view) {
+OrderedJson add_attributes(GlbWriter& glb, const Scene& scene, const Mesh& mesh, int view) {
   const auto any = [&](auto&& differs) {
     return std::any_of(mesh.vertices.begin(), mesh.vertices.end(), differs);
   };
-  Json attributes = Json::object();
+  OrderedJson attributes = OrderedJson::object();
   const auto add = [&](const char* name, size_t offset, const char* type,
                        int component = kGltfFloat) {
     attributes[name] = add_attribute(glb, mesh, view, offset, type, component);
@@ -102,14 +100,14 @@ Json add_attributes(GlbWriter& glb, const Scene& scene, const Mesh& mesh, int vi
 int add_mesh(GlbWriter& glb, const Scene& scene, const Mesh& mesh) {
   const int view =
       glb.add_view(GlbWriter::bytes_of(mesh.vertices), kGltfArrayBuffer, sizeof(Vertex));
-  const Json shared = add_attributes(glb, scene, mesh, view);
-  const Json targets = add_morph_targets(glb, mesh);
+  const OrderedJson shared = add_attributes(glb, scene, mesh, view);
+  const OrderedJson targets = add_morph_targets(glb, mesh);
   const int index_view = glb.add_view(GlbWriter::bytes_of(mesh.indices), kGltfElementArrayBuffer);
   int tangent = kNone;
-  Json primitives = Json::array();
+  OrderedJson primitives = OrderedJson::array();
   for (const Primitive& p : mesh.primitives) {
     if (p.index_count == 0) continue;
-    Json attributes = shared;
+    OrderedJson attributes = shared;
     if (scene.materials[p.material].normal_texture.is_used()) {
       if (tangent == kNone)
         tangent = add_attribute(glb, mesh, view, offsetof(Vertex, tangent), "VEC4");

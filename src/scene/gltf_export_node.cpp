@@ -8,8 +8,6 @@
 namespace lueur {
 namespace {
 
-using Json = GlbWriter::Json;
-
 void add_cameras(GlbWriter& glb, const Scene& scene) {
   for (const Camera& camera : scene.cameras)
     glb.add_to("cameras",
@@ -21,14 +19,14 @@ void add_cameras(GlbWriter& glb, const Scene& scene) {
 void add_lights(GlbWriter& glb, const Scene& scene) {
   if (scene.lights.empty()) return;
   glb.use_extension("KHR_lights_punctual");
-  Json lights = Json::array();
+  OrderedJson lights = OrderedJson::array();
   for (const Light& light : scene.lights) {
-    Json object = {{"name", light.name},
-                   {"type", light.kind == LightKind::point  ? "point"
-                            : light.kind == LightKind::spot ? "spot"
-                                                            : "directional"},
-                   {"color", vector_json(light.color)},
-                   {"intensity", light.intensity}};
+    OrderedJson object = {{"name", light.name},
+                          {"type", light.kind == LightKind::point  ? "point"
+                                   : light.kind == LightKind::spot ? "spot"
+                                                                   : "directional"},
+                          {"color", vector_json(light.color)},
+                          {"intensity", light.intensity}};
     if (std::isfinite(light.range_m)) object["range"] = light.range_m;
     if (light.kind == LightKind::spot)
       object["spot"] = {{"innerConeAngle", light.inner_cone_rad},
@@ -38,10 +36,10 @@ void add_lights(GlbWriter& glb, const Scene& scene) {
   glb.json()["extensions"]["KHR_lights_punctual"]["lights"] = std::move(lights);
 }
 
-void set_transform(Json& object, const Node& node) {
+void set_transform(OrderedJson& object, const Node& node) {
   if (node.translation != glm::vec3(0.0f)) object["translation"] = vector_json(node.translation);
   const glm::quat q = node.rotation;
-  if (q != glm::quat(1, 0, 0, 0)) object["rotation"] = Json::array({q.x, q.y, q.z, q.w});
+  if (q != glm::quat(1, 0, 0, 0)) object["rotation"] = OrderedJson::array({q.x, q.y, q.z, q.w});
   if (node.scale != glm::vec3(1.0f)) object["scale"] = vector_json(node.scale);
 }
 
@@ -58,7 +56,7 @@ class NodeExport {
  private:
   void add_own_nodes() {
     for (const Node& node : scene_.nodes) {
-      Json object = {{"name", node.name}};
+      OrderedJson object = {{"name", node.name}};
       if (node.matrix) {
         for (int column = 0; column < 4; ++column)
           for (int row = 0; row < 4; ++row) object["matrix"].push_back((*node.matrix)[column][row]);
@@ -73,7 +71,7 @@ class NodeExport {
   void fill_nodes(const std::vector<int>& mesh_index) {
     for (const MeshInstance& instance : scene_.instances)
       if (mesh_index[instance.mesh] != kNone) {
-        Json& node = node_for(instance.node, "mesh");
+        OrderedJson& node = node_for(instance.node, "mesh");
         node["mesh"] = mesh_index[instance.mesh];
         if (!instance.passes_light_on) node["extras"] = {{kPassesLightOnKey, false}};
         if (instance.skin != kNone) node["skin"] = instance.skin;
@@ -87,14 +85,14 @@ class NodeExport {
   }
 
   // The node itself if its slot is free, else a new child of it.
-  Json& node_for(int32_t node, const char* slot) {
+  OrderedJson& node_for(int32_t node, const char* slot) {
     if (!glb_.json()["nodes"][node].contains(slot)) return glb_.json()["nodes"][node];
     extra_children_.emplace_back(node, glb_.add_to("nodes", {{"name", scene_.nodes[node].name}}));
     return glb_.json()["nodes"].back();
   }
 
   void link_nodes() {
-    Json root = {{"name", scene_.name}};
+    OrderedJson root = {{"name", scene_.name}};
     for (size_t k = 0; k < scene_.nodes.size(); ++k) {
       const int32_t parent = scene_.nodes[k].parent;
       (parent == kNone ? root["nodes"] : glb_.json()["nodes"][parent]["children"]).push_back(k);

@@ -11,6 +11,8 @@
 
 namespace lueur {
 
+using OrderedJson = GlbWriter::Json;
+
 // Fails (ErrorKind::output) when a texture cannot be encoded.
 Result<void> export_textures(GlbWriter& glb, const Scene& scene);
 void export_materials(GlbWriter& glb, const Scene& scene);

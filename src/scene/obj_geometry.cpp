@@ -215,14 +215,14 @@ void GeometryReader::warn_of(std::string_view keyword) {
   constexpr std::array<std::string_view, 13> kCurves = {"vp",   "cstype", "deg",  "bmat", "step",
                                                         "curv", "curv2",  "surf", "parm", "trim",
                                                         "hole", "con",    "end"};
-  constexpr std::array<std::string_view, 11> kWithoutLoss = {
+  constexpr std::array<std::string_view, 11> kSkipped = {
       "mg",     "bevel",      "c_interp",  "d_interp", "lod",  "maplib",
       "usemap", "shadow_obj", "trace_obj", "ctech",    "stech"};
   if (keyword == "p" || keyword == "l")
     warnings_->add("points and lines are not drawn");
   else if (std::ranges::find(kCurves, keyword) != kCurves.end())
     warnings_->add("curves and free-form surfaces are not drawn");
-  else if (std::ranges::find(kWithoutLoss, keyword) == kWithoutLoss.end())
+  else if (std::ranges::find(kSkipped, keyword) == kSkipped.end())
     warnings_->add("statements " + in_quotes(keyword) + " are not understood and passed over");
 }
 

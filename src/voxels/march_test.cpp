@@ -11,7 +11,7 @@
 namespace lueur {
 namespace {
 
-constexpr Extent kExtent{96, 64};
+constexpr Extent kMarchExtent{96, 64};
 constexpr uint32_t kSlices = 128;
 const MarchBias kBias{kMarchBiasPx, kMarchBiasSlices};
 
@@ -47,10 +47,10 @@ std::vector<TestMesh> furnished_room() {
 std::vector<MarchLine> lines_between(const std::vector<float>& nearest_z, size_t count) {
   std::mt19937 random(5);
   const auto point = [&] {
-    const auto x = static_cast<uint32_t>(random() % kExtent.width);
-    const auto y = static_cast<uint32_t>(random() % kExtent.height);
+    const auto x = static_cast<uint32_t>(random() % kMarchExtent.width);
+    const auto y = static_cast<uint32_t>(random() % kMarchExtent.height);
     return vec3(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f,
-                nearest_z[size_t{y} * kExtent.width + x]);
+                nearest_z[size_t{y} * kMarchExtent.width + x]);
   };
   std::vector<MarchLine> lines(count);
   for (MarchLine& line : lines) line = {point(), point()};
@@ -59,7 +59,7 @@ std::vector<MarchLine> lines_between(const std::vector<float>& nearest_z, size_t
 
 // A point in space that is seen at a pixel position.
 glm::dvec3 in_space(const glm::dvec3& p) {
-  const Screen screen = test_screen(kExtent);
+  const Screen screen = test_screen(kMarchExtent);
   const glm::dvec2 ray =
       glm::dvec2(p) * glm::dvec2(screen.ray_scale) + glm::dvec2(screen.ray_offset);
   return {ray * p.z, -p.z};
@@ -107,8 +107,8 @@ TEST(March, StepsTileWhatIsTested) {
 // Wherever a line goes, also behind the eye, its end is on it and in the picture, and as far away
 // as that allows.
 TEST(March, LinesEndWhereTheyLeaveThePicture) {
-  const Screen screen = test_screen(kExtent);
-  const vec2 extent_px(kExtent.width, kExtent.height);
+  const Screen screen = test_screen(kMarchExtent);
+  const vec2 extent_px(kMarchExtent.width, kMarchExtent.height);
   std::mt19937 random(4);
   std::uniform_real_distribution<float> x(1.0f, 95.0f), y(1.0f, 63.0f), z(1.2f, 7.0f),
       anywhere(-9.0f, 9.0f);
@@ -139,7 +139,7 @@ TEST(March, LinesEndWhereTheyLeaveThePicture) {
 // is farther than half a pixel from it.
 TEST(March, MeetsWhatADenseWalkMeets) {
   constexpr int kDensity = 32;  // samples a pixel
-  const ExactVoxels exact = exact_voxels(furnished_room(), kExtent, kSlices);
+  const ExactVoxels exact = exact_voxels(furnished_room(), kMarchExtent, kSlices);
   uint32_t blocked = 0, free = 0;
   for (const MarchLine& line : lines_between(exact.nearest_z, 4000)) {
     const double length_px = glm::length(glm::dvec2(line.to) - glm::dvec2(line.from));
@@ -187,7 +187,7 @@ TEST(March, AFlatWallNeverShadowsItself) {
          mesh_of([&](auto& b) {
            builtin::add_box(b, {-0.03f, -0.03f, -2.1f}, {0.03f, 0.03f, -2.0f}, {100.0f});
          })},
-        kExtent, kSlices);
+        kMarchExtent, kSlices);
     for (MarchLine line : lines_between(exact.nearest_z, 1000)) {
       // Only above what is near.
       line.from.y = std::min(line.from.y, 20.5f);
@@ -203,15 +203,16 @@ class MarchOnDeviceTest : public VoxelTest {};
 TEST_F(MarchOnDeviceTest, IsWhatTheCpuFinds) {
   constexpr int kMaxSteps = 12;
   const std::vector<TestMesh> meshes = furnished_room();
-  const ExactVoxels exact = exact_voxels(meshes, kExtent, kSlices);
+  const ExactVoxels exact = exact_voxels(meshes, kMarchExtent, kSlices);
   const std::vector<MarchLine> lines = lines_between(exact.nearest_z, 2048);
   const auto count = static_cast<uint32_t>(lines.size());
   run([&](Frame&) {
     const TriangleBatch batch = upload(meshes);
-    const VoxelGrid grid = voxelize(recorder(), {.triangles = {&batch, 1},
-                                                 .screen = test_screen(kExtent),
-                                                 .geometry = geometry(kExtent, exact.nearest_z),
-                                                 .slices = kSlices});
+    const VoxelGrid grid =
+        voxelize(recorder(), {.triangles = {&batch, 1},
+                              .screen = test_screen(kMarchExtent),
+                              .geometry = geometry(kMarchExtent, exact.nearest_z),
+                              .slices = kSlices});
     const Image visibility = recorder().image("visibility", {count, 1}, Format::r32f);
     recorder().dispatch("test.march", {.shader = shaders::voxels_test_shaders_march_comp,
                                        .params = MarchParams{int(count), kMaxSteps, kBias},

@@ -17,10 +17,6 @@ constexpr uint32_t kTargetSlices = 4 * kWordSlices;  // of a target of the raste
 constexpr uint32_t kMaxTargets = 4;
 constexpr uint32_t kMaxGroupsInARow = 32'768;  // devices allow 65'535 at least
 
-ivec2 as_ivec2(Extent e) {
-  return ivec2(e.width, e.height);
-}
-
 // What the passes of one grid have in common.
 struct Pass {
   Recorder& frame;

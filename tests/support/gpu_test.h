@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <glm/glm.hpp>
+#include <numbers>
 #include <optional>
 
 #include "frame/recorder.h"
@@ -14,6 +15,8 @@
 #include "lueur/technique.h"
 
 namespace lueur {
+
+inline constexpr double kPi = std::numbers::pi;
 
 class GpuTest : public testing::Test {
  protected:

@@ -10,7 +10,6 @@
 namespace lueur {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr Extent kExtent{96, 72};
 constexpr double kFov = 1.1;
 

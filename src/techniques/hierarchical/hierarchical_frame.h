@@ -162,7 +162,6 @@ class HierarchicalFrame {
   HistoryImage geometry_history_;  // of level 0 of the camera's own pyramid
 };
 
-ivec2 as_ivec2(Extent e);
 // upsample.glsl takes one thread for each corner between coarse pixels, the image's edges included.
 Extent corners_of(Extent coarse);
 std::string at_level(const std::string& pass, uint32_t level);

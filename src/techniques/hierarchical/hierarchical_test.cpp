@@ -8,8 +8,6 @@
 namespace lueur {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // HSSIL (4) with (2) summed over all pixels in double precision. Written from the paper, apart from
 // the shaders: angles by their cosines, lengths by square roots, solid angle by the frustum.
 std::vector<glm::dvec3> brute_force(const CpuGBuffer& g, double vertical_fov_rad) {

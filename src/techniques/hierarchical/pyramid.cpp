@@ -8,10 +8,6 @@
 
 namespace lueur::hierarchical {
 
-ivec2 as_ivec2(Extent e) {
-  return ivec2(e.width, e.height);
-}
-
 std::string at_level(const std::string& pass, uint32_t level) {
   return "hierarchical." + pass + "@" + std::to_string(level);
 }

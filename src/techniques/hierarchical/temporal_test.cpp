@@ -8,8 +8,8 @@
 namespace lueur {
 namespace {
 
-constexpr Extent kExtent{96, 72};
-constexpr double kFov = 1.2;
+constexpr Extent kMovingExtent{96, 72};
+constexpr double kMovingFov = 1.2;
 
 class TemporalTest : public HierarchicalTest {
  protected:
@@ -26,14 +26,15 @@ class TemporalTest : public HierarchicalTest {
   }
 
   static CpuGBuffer seen_from(const CpuScene& scene, const glm::dvec3& eye) {
-    CpuGBuffer g = cast_g_buffer(scene, kExtent, kFov, eye);
+    CpuGBuffer g = cast_g_buffer(scene, kMovingExtent, kMovingFov, eye);
     g.motion.assign(g.depth.size(), glm::vec2(0));
     return g;
   }
 
   // What each pixel shows of a static scene was elsewhere when the eye was at `before`.
   static void add_motion(CpuGBuffer& g, const glm::dvec3& eye, const glm::dvec3& before) {
-    const double tan_v = std::tan(kFov / 2), tan_h = tan_v * kExtent.width / kExtent.height;
+    const double tan_v = std::tan(kMovingFov / 2),
+                 tan_h = tan_v * kMovingExtent.width / kMovingExtent.height;
     for (size_t i = 0; i < g.depth.size(); ++i) {
       const glm::dvec3 now = g.position_view[i], then = now + eye - before;
       const auto uv = [&](const glm::dvec3& p) {
@@ -189,11 +190,11 @@ class MovingBoardTest : public TemporalTest {
   // Frame `i` of the board's way, which uncovers the wall at its left.
   void next(Hierarchical& technique, int i) {
     // At 2 m the picture is 4 tan(fov / 2) m high.
-    const double pixel_m = 4 * std::tan(kFov / 2) / kExtent.height;
+    const double pixel_m = 4 * std::tan(kMovingFov / 2) / kMovingExtent.height;
     const CpuGBuffer before = g_;
     g_ = seen_from(board_at(-2 + i * kMovedPx * pixel_m), {0, 0, 0});
     for (size_t k = 0; k < age_.size(); ++k) {
-      if (is_board(g_, k)) g_.motion[k] = {float(kMovedPx) / float(kExtent.width), 0};
+      if (is_board(g_, k)) g_.motion[k] = {float(kMovedPx) / float(kMovingExtent.width), 0};
       if (age_[k] >= 0) ++age_[k];
       if (i > 0 && is_board(before, k) && !is_board(g_, k)) age_[k] = 0;
     }
@@ -226,7 +227,7 @@ class MovingBoardTest : public TemporalTest {
     return sum / count;
   }
 
-  std::vector<int> age_ = std::vector<int>(size_t{kExtent.width} * kExtent.height, -1);
+  std::vector<int> age_ = std::vector<int>(size_t{kMovingExtent.width} * kMovingExtent.height, -1);
 };
 
 // Where the board has been, 8 frames ago and since, no more of its light is left than 2 %.

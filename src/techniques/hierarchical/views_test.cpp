@@ -9,8 +9,6 @@
 namespace lueur {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 // An engine with lights that casts rays for what other views see. All lights light alike: the
 // scene's radiance is what each of them shows.
 class CastingHost final : public Host {
