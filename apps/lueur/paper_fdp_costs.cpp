@@ -93,13 +93,14 @@ Result<std::vector<Candidate>> cost_candidates(Session& session, const PaperSetu
 
 Times times_of(const FrameTimes& frame, const ChosenTechnique& technique) {
   Times times;
-  times.voxels_ms = total_ms(frame.passes, "voxels.");
+  times.voxels_ms = total_ms(frame.together, "voxels.");
   for (uint32_t level = 0; level < kMostLevels; ++level)
     times.level_ms[level] = total_ms(frame.passes, "hierarchical.gather@" + std::to_string(level));
   times.ssil_ms = gather_ms(frame);
   times.pyramid_ms = group_ms(frame, "hierarchical.pyramid");
-  times.all_ms = technique_ms(frame.passes, technique);
-  times.upsampling_ms = times.all_ms - times.ssil_ms - times.voxels_ms - times.pyramid_ms;
+  times.all_ms = technique_ms(frame.together, technique);
+  times.upsampling_ms = technique_ms(frame.passes, technique) - times.ssil_ms -
+                        total_ms(frame.passes, "voxels.") - times.pyramid_ms;
   return times;
 }
 

@@ -58,8 +58,8 @@ report::Table cost_table(const Rounds& rounds, std::span<const Candidate> candid
              [](const FrameTimes& a, const FrameTimes& b) { return gather_ms(a) / gather_ms(b); }),
          row.total_ms[0] / base.total_ms[0], row.total_ms[1] / base.total_ms[1],
          in_turn(rounds, i, kBase, [&](const FrameTimes& a, const FrameTimes& b) {
-           return technique_ms(a.passes, candidates[i].technique) /
-                  technique_ms(b.passes, candidates[kBase].technique);
+           return technique_ms(a.together, candidates[i].technique) /
+                  technique_ms(b.together, candidates[kBase].technique);
          })});
   }
   return table;
@@ -68,8 +68,8 @@ report::Table cost_table(const Rounds& rounds, std::span<const Candidate> candid
 report::Table claim_table(const Rounds& rounds, std::span<const Candidate> candidates) {
   const auto ratio = [&](size_t a, size_t b) {
     return in_turn(rounds, a, b, [&](const FrameTimes& x, const FrameTimes& y) {
-      return technique_ms(x.passes, candidates[a].technique) /
-             technique_ms(y.passes, candidates[b].technique);
+      return technique_ms(x.together, candidates[a].technique) /
+             technique_ms(y.together, candidates[b].technique);
     });
   };
   const auto paper = [](size_t a, size_t b, int card) {

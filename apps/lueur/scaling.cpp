@@ -137,8 +137,8 @@ std::vector<Series> fit_series(const Scale& scale, std::span<const std::string> 
       add_fit(name, series.x, own_rounds, ms_of, series.fits);
     };
     const ChosenTechnique& chosen = candidates[series.first].technique;
-    add("technique", [&](const FrameTimes& f) { return technique_ms(f.passes, chosen); });
-    add("all passes", [](const FrameTimes& f) { return total_ms(f.passes, ""); });
+    add("technique", [&](const FrameTimes& f) { return technique_ms(f.together, chosen); });
+    add("all passes", [](const FrameTimes& f) { return total_ms(f.together, ""); });
     for (const std::string& group : all_groups(own_rounds))
       add(group, [&](const FrameTimes& f) { return group_ms(f, group); });
     all.push_back(std::move(series));

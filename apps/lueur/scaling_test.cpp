@@ -103,6 +103,7 @@ TEST(Scaling, EachGroupOfPassesHasItsOwnFit) {
                         {"hierarchical.output", slower * 5},
                         {"renderer.light", slower * (95 - factor * x)}};
         if (x > 2) frame.passes.push_back({"renderer.late", slower * 3});
+        frame.together = frame.passes;
         frames.push_back(frame);
       }
       rounds.push_back(std::move(frames));

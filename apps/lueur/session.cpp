@@ -161,7 +161,7 @@ Result<Session> open_session(const gpu::SystemInfo& info) {
   LUEUR_TRY(system, gpu::System::create(info));
   ContextInfo context_info = system->context_info();
   context_info.frames_in_flight = 1;
-  context_info.timers = true;
+  context_info.timers = Timers::passes;
   context_info.pipeline_cache = pipeline_cache(system->device());
   LUEUR_TRY(context, Context::create(context_info));
   return Session{std::move(system), std::move(context)};

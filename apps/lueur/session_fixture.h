@@ -36,7 +36,7 @@ class SessionTest : public testing::Test {
     ASSERT_TRUE(system.ok()) << system.error().message;
     ContextInfo info = (*system)->context_info();
     info.frames_in_flight = 1;
-    info.timers = true;
+    info.timers = Timers::passes;
     auto context = Context::create(info);
     ASSERT_TRUE(context.ok()) << context.error().message;
     session_.emplace(Session{std::move(*system), std::move(*context)});

@@ -19,15 +19,19 @@ double process_cpu_ms() {
   return static_cast<double>(now.tv_sec) * 1e3 + static_cast<double>(now.tv_nsec) * 1e-6;
 }
 
-Result<FrameTimes> time_frame(Session& session, Candidate& candidate) {
+Result<FrameTimes> time_frames(Session& session, Candidate& candidate) {
   FrameTimes times;
+  session.context.set_timers(Timers::passes);
+  LUEUR_TRY(by_pass, render_candidate(session, candidate, {}));
+  times.passes = std::move(by_pass.passes);
+  session.context.set_timers(Timers::together);
   const double cpu_start_ms = process_cpu_ms();
   const auto start = std::chrono::steady_clock::now();
   LUEUR_TRY(record, render_candidate(session, candidate, {}));
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
   times.wall_ms = taken.count();
   times.cpu_ms = process_cpu_ms() - cpu_start_ms;
-  times.passes = std::move(record.passes);
+  times.together = std::move(record.passes);
   return times;
 }
 
@@ -52,7 +56,7 @@ PassSummary row(const std::string& name, const Frames& frames, MsOf ms_of) {
 }
 
 double frame_ms(const FrameTimes& frame) {
-  return total_ms(frame.passes, "");
+  return total_ms(frame.together, "");
 }
 
 double ms_of(const std::vector<PassTime>& passes, const ChosenTechnique& technique,
@@ -89,16 +93,26 @@ std::optional<double> ratio(const Frames& frames, const Frames& first, MsOf ms_o
   return distribution(std::move(ratios)).median;
 }
 
-}  // namespace
-
-Result<Rounds> time_in_turn(Session& session, std::span<Candidate> candidates, uint32_t rounds) {
+Result<Rounds> timed_rounds(Session& session, std::span<Candidate> candidates, uint32_t rounds) {
   Rounds times(candidates.size());
   for (uint32_t round = 0; round < kWarmUpFrames + rounds; ++round) {
     for (size_t i = 0; i < candidates.size(); ++i) {
-      LUEUR_TRY(taken, time_frame(session, candidates[i]));
-      if (round >= kWarmUpFrames) times[i].push_back(std::move(taken));
+      if (round < kWarmUpFrames) {
+        LUEUR_TRY_VOID(render_candidate(session, candidates[i], {}));
+        continue;
+      }
+      LUEUR_TRY(taken, time_frames(session, candidates[i]));
+      times[i].push_back(std::move(taken));
     }
   }
+  return times;
+}
+
+}  // namespace
+
+Result<Rounds> time_in_turn(Session& session, std::span<Candidate> candidates, uint32_t rounds) {
+  auto times = timed_rounds(session, candidates, rounds);
+  session.context.set_timers(Timers::passes);
   return times;
 }
 
@@ -108,19 +122,19 @@ std::vector<Summary> summarize(const Rounds& rounds, std::span<const Candidate> 
   for (size_t i = 0; i < candidates.size(); ++i) {
     const Frames& frames = rounds[i];
     const auto of_technique = [&](const FrameTimes& f) {
-      return technique_ms(f.passes, candidates[i].technique);
+      return technique_ms(f.together, candidates[i].technique);
     };
     Summary summary;
     summarize_passes(frames, candidates[i], summary);
     summary.technique_ms = over(frames, of_technique);
     summary.technique_cpu_ms = cpu_share(frames, of_technique);
     summary.host_ms = over(
-        frames, [&](const FrameTimes& f) { return host_ms(f.passes, candidates[i].technique); });
+        frames, [&](const FrameTimes& f) { return host_ms(f.together, candidates[i].technique); });
     summary.frame_ms = over(frames, frame_ms);
     summary.wall_ms = over(frames, [](const FrameTimes& f) { return f.wall_ms; });
     summary.cpu_ms = over(frames, [](const FrameTimes& f) { return f.cpu_ms; });
     const auto of_first = [&](const FrameTimes& f) {
-      return technique_ms(f.passes, candidates.front().technique);
+      return technique_ms(f.together, candidates.front().technique);
     };
     summary.technique_ratio = ratio(frames, rounds.front(), of_technique, of_first);
     summary.frame_ratio = ratio(frames, rounds.front(), frame_ms, frame_ms);

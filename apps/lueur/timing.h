@@ -14,10 +14,14 @@ namespace lueur::cli {
 
 inline constexpr uint32_t kWarmUpFrames = 3;
 
-// What one frame took. `wall_ms` and `cpu_ms` are those of recording, submitting and waiting;
-// `cpu_ms` counts all threads of the process, which on a CPU device are the ones that render.
+// What a candidate's turn took, two frames: the first with a timer for each pass, the second with
+// one for all that an owner's passes take together. A timer costs time of its own, on a CPU device
+// as much as a small pass, so that `passes` add up to more than `together`, which is what a frame
+// takes. `wall_ms` and `cpu_ms` are of recording, submitting and waiting for the second; `cpu_ms`
+// counts all threads of the process, which on a CPU device are the ones that render.
 struct FrameTimes {
   std::vector<PassTime> passes;
+  std::vector<PassTime> together;  // "hierarchical.*", see Timers
   double wall_ms = 0;
   double cpu_ms = 0;
 };
@@ -25,8 +29,8 @@ struct FrameTimes {
 // By candidate, then by round.
 using Rounds = std::vector<std::vector<FrameTimes>>;
 
-// Renders A B C A B C …, so that what slows the machine down for a while slows all of them: first
-// kWarmUpFrames rounds that do not count, then `rounds`.
+// Renders A A B B C C A A …, so that what slows the machine down for a while slows all of them:
+// first kWarmUpFrames rounds of one frame each that do not count, then `rounds`.
 Result<Rounds> time_in_turn(Session& session, std::span<Candidate> candidates, uint32_t rounds);
 
 // Of one pass, or of a group of passes: "hierarchical.gather" is all "hierarchical.gather@K".
@@ -42,10 +46,10 @@ struct PassSummary {
 struct Summary {
   std::vector<PassSummary> passes;
   std::vector<PassSummary> groups;
-  Distribution technique_ms;    // sum of the technique's passes
+  Distribution technique_ms;    // of the technique's passes together
   double technique_cpu_ms = 0;  // as in PassSummary
-  Distribution host_ms;         // sum of what the host renders for the technique alone
-  Distribution frame_ms;        // sum of all passes
+  Distribution host_ms;         // of what the host renders for the technique alone
+  Distribution frame_ms;        // of all passes
   Distribution wall_ms;
   Distribution cpu_ms;
   // Medians over the rounds of this candidate's time over the first one's in the same round; none

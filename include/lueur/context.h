@@ -29,6 +29,15 @@ namespace lueur {
 
 class Recorder;
 
+// What GPU times are measured of. A timer is two timestamps between full barriers, which keep
+// passes from running into each other's time, and costs what they do: leave it off in a shipped
+// game.
+enum class Timers : uint8_t {
+  off,
+  passes,    // each pass
+  together,  // passes of one owner that follow each other, "owner.step", as one: "owner.*"
+};
+
 // The device must have been made with Vulkan 1.3 and the features that `missing_features` checks.
 struct ContextInfo {
   PFN_vkGetInstanceProcAddr get_instance_proc_addr = nullptr;
@@ -41,8 +50,7 @@ struct ContextInfo {
   // Where compiled pipelines are kept between runs; empty: nowhere. A damaged or foreign file is
   // ignored and replaced.
   std::filesystem::path pipeline_cache;
-  // Measure the GPU time of each pass. Costs two barriers a pass; leave it off in a shipped game.
-  bool timers = false;
+  Timers timers = Timers::off;
   // The device was made with the feature logicOp, which is not required: what needs it says so.
   bool logic_op = false;
   // Debug labels and object names (needs VK_EXT_debug_utils enabled on the instance).
@@ -56,7 +64,7 @@ struct MemoryUse {
 };
 
 struct PassTime {
-  std::string name;  // "technique.step"
+  std::string name;  // "owner.step", or "owner.*" of several together
   double gpu_ms = 0;
 };
 
@@ -91,6 +99,8 @@ class Context {
   // Begins a frame in a command buffer that is in the recording state, outside of rendering.
   Frame record(VkCommandBuffer command_buffer);
 
+  // From the next frame on.
+  void set_timers(Timers timers);
   // GPU times of the most recent frame that is known to have completed: call after waiting for it.
   std::vector<PassTime> pass_times();
   MemoryUse memory() const;

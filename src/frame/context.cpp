@@ -37,6 +37,9 @@ Frame Context::record(VkCommandBuffer command_buffer) {
   return Frame(recorder_.get());
 }
 
+void Context::set_timers(Timers timers) {
+  recorder_->set_timers(timers);
+}
 std::vector<PassTime> Context::pass_times() {
   return recorder_->pass_times();
 }

@@ -142,12 +142,20 @@ VkDescriptorSet Recorder::bind_resources(const std::string& pass, const gpu::Pip
 void Recorder::begin_pass(const std::string& pass, const Barriers& barriers) {
   commands_->begin_label(pass);
   commands_->barrier(barriers.images, barriers.buffers);
-  if (!slot_->timing) return;
-  slot_->timed_passes.emplace_back(pass, slot_->timers.mark(*commands_));
+  if (slot_->timing == Timers::off) return;
+  auto& timed = slot_->timed_passes;
+  if (slot_->timing == Timers::passes) {
+    timed.emplace_back(pass, slot_->timers.mark(*commands_));
+    return;
+  }
+  // The mark between two owners ends one and begins the other; finish() sets the last.
+  const std::string together = pass.substr(0, pass.rfind('.')) + ".*";
+  if (timed.empty() || timed.back().first != together)
+    timed.emplace_back(together, slot_->timers.mark(*commands_));
 }
 
 void Recorder::end_pass() {
-  if (slot_->timing) slot_->timers.mark(*commands_);
+  if (slot_->timing == Timers::passes) slot_->timers.mark(*commands_);
   commands_->end_label();
 }
 

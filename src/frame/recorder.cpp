@@ -48,13 +48,16 @@ void Recorder::begin(VkCommandBuffer command_buffer) {
   slot_->read_backs.clear();
   slot_->scanned.clear();
   slot_->timed_passes.clear();
-  slot_->timing = info_.timers && slot_->timers.begin(*commands_);
+  slot_->timing = info_.timers;
+  if (info_.timers != Timers::off && !slot_->timers.begin(*commands_)) slot_->timing = Timers::off;
   written_images_.clear();
   for (auto& image : images_) image->written = false;
 }
 
 Result<void> Recorder::finish() {
   LUEUR_CHECK(commands_.has_value());
+  if (slot_->timing == Timers::together && !slot_->timed_passes.empty())
+    slot_->timers.mark(*commands_);
   // Copy the scan's counters, then give every imported image back as it came.
   Barriers barriers;
   if (!error_ && !slot_->scanned.empty()) {
@@ -325,7 +328,7 @@ Image Recorder::upload_image(const char* name, Extent extent, Format format, con
 }
 
 std::vector<PassTime> Recorder::pass_times() const {
-  if (!slot_ || !slot_->timing) return {};
+  if (!slot_ || slot_->timing == Timers::off) return {};
   const std::vector<double> ms = slot_->timers.read();
   std::vector<PassTime> times;
   for (const auto& [name, query] : slot_->timed_passes)

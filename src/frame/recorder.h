@@ -193,6 +193,7 @@ class Recorder {
   // Valid after the frame's work has completed on the device.
   std::vector<Pixels> read_back_pixels();
   std::vector<ScanFinding> scan_findings();
+  void set_timers(Timers timers) { info_.timers = timers; }
   std::vector<PassTime> pass_times() const;
 
   // Names "pass.image" that the last frame has written, in order.

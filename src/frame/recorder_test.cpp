@@ -468,5 +468,29 @@ TEST_F(RecorderTest, EveryPassIsTimed) {
   }
 }
 
+// Passes of one owner have one timer from the first to where another's begin, or to the frame's
+// end.
+TEST_F(RecorderTest, AnOwnersPassesAreTimedTogether) {
+  context().set_timers(Timers::together);
+  run([&](Frame&) {
+    const Image a = constant("a", {256, 256}, 1.0f);
+    const Image b = recorder().image("b", {256, 256}, Format::rgba32f);
+    for (const char* pass : {"first.one", "first.two", "second.view.one", "first.three"})
+      copy(pass, a, b);
+  });
+  const std::vector<PassTime> times = context().pass_times();
+  ASSERT_EQ(times.size(), 3u);
+  const char* const names[] = {"first.*", "second.view.*", "first.*"};
+  for (size_t i = 0; i < times.size(); ++i) {
+    EXPECT_EQ(times[i].name, names[i]);
+    EXPECT_GT(times[i].gpu_ms, 0.0) << names[i];
+  }
+  context().set_timers(Timers::off);
+  run([&](Frame&) {
+    copy("first.one", constant("a", kSmall, 1.0f), recorder().image("b", kSmall, Format::rgba32f));
+  });
+  EXPECT_TRUE(context().pass_times().empty());
+}
+
 }  // namespace
 }  // namespace lueur

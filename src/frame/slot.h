@@ -19,7 +19,7 @@ struct Recorder::Slot {
   std::vector<Chunk> chunks;
 
   gpu::TimerPool timers;
-  bool timing = false;
+  Timers timing = Timers::off;
   std::vector<std::pair<std::string, uint32_t>> timed_passes;  // name, its first query
 
   std::vector<ReadBack> read_backs;

@@ -14,7 +14,7 @@ void GpuTest::SetUp() {
   system_ = std::move(*made);
   ContextInfo info = system_->context_info();
   info.frames_in_flight = 1;
-  info.timers = true;
+  info.timers = Timers::passes;
   auto context = Context::create(info);
   ASSERT_TRUE(context.ok()) << context.error().message;
   context_ = std::move(*context);
