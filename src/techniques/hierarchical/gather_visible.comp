@@ -17,14 +17,20 @@ layout(set = 0, binding = 4, scalar) readonly buffer Range { VoxelRange value; }
 layout(push_constant, scalar) uniform Push { GatherParams p; };
 const uint march_rays = 1;
 
+// Read once: a CPU reads a buffer lane by lane.
+VoxelRange voxel_range;
+
 #include "techniques/hierarchical/gather.glsl"
 #include "techniques/hierarchical/own_view.glsl"
 #include "voxels/march.glsl"
 
 float visibility(Receiver r, ivec2 q, vec4 surface) {
-  return march(range.value, vec3(r.at_px * p.march_scale, -r.position.z),
+  return march(voxel_range, vec3(r.at_px * p.march_scale, -r.position.z),
                vec3((vec2(q) + 0.5) * p.march_scale, surface.w), p.march_steps,
                MarchBias(kMarchBiasPx * p.march_scale, kMarchBiasSlices));
 }
 
-void main() { gather(p); }
+void main() {
+  voxel_range = range.value;
+  gather(p);
+}
