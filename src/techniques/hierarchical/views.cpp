@@ -37,7 +37,10 @@ Pyramid HierarchicalFrame::pyramid_of_view(const View& view, Extent extent, int3
 void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receivers,
                                     const std::string& pass, Image indirect, bool is_first) {
   const Level& to = receivers.finest();
-  const uint32_t pixels_per_thread = gather_pixels_per_thread(to.extent);
+  // One a thread with rays to march: it is quicker, and Mesa's software rasterizer ends all loops
+  // of a thread after 65 535 rounds, which several pixels' rays together reach.
+  const uint32_t pixels_per_thread =
+      givers.voxel_range.valid() ? 1 : gather_pixels_per_thread(to.extent);
   for (uint32_t k = 0; k < givers.levels.size(); ++k) {
     const Level& from = givers.levels[k];
     GatherViewParams params{};
