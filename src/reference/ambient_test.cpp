@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion against closed forms.
 #include <cmath>
-#include <numbers>
 
 #include "reference/reference_fixture.h"
 

@@ -3,7 +3,6 @@
 #include "reference/bsdf.h"
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 

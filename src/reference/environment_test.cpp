@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Light of environments that is known in closed form, and what the camera sees of them.
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "reference/content.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Surfaces as rays meet them: sides, mirrors, holes, normals, textures, cones.
 #include <cmath>
-#include <numbers>
 
 #include "image/mip_chain.h"
 #include "image/tone_map.h"

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
 #include "scene/builtin/scene_builder.h"
 #include "scene/builtin/shapes.h"

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "reference/reference_fixture.h"
 #include "scene/builtin/scene_builder.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Direct light against closed forms: KHR_lights_punctual on surfaces that nothing shades.
 #include <cmath>
-#include <numbers>
 
 #include "image/tone_map.h"
 #include "renderer/renderer_fixture.h"

@@ -3,7 +3,6 @@
 #include "renderer/renderer.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "image/half.h"
 #include "renderer/renderer_fixture.h"

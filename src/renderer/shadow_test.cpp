@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Shadows: where they must be, where they must not be, for each kind of light and of shadow map.
 #include <cmath>
-#include <numbers>
 
 #include "renderer/renderer_fixture.h"
 #include "scene/builtin/scene_builder.h"

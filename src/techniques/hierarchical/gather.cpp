@@ -13,10 +13,27 @@ Extent corners_of(Extent coarse) {
 }
 
 // A CPU wants much work in each thread (8 pixels took 0.90 of the time of 4), but still several
-// workgroups to share out. With rays to march, one pixel is best: 0.7 of the time of 8.
-uint32_t HierarchicalFrame::gather_pixels_per_thread(Extent level) const {
+// workgroups to share out. With rays to march, one pixel is best: 0.7 of the time of 8, and fewer
+// rounds, see check_rounds().
+uint32_t HierarchicalFrame::gather_pixels_per_thread(Extent level, bool marches) const {
   constexpr uint32_t kRowsWorthIt = 16;
-  return frame_.runs_on_cpu() && level.height >= kRowsWorthIt ? 8 : 1;
+  return frame_.runs_on_cpu() && !marches && level.height >= kRowsWorthIt ? 8 : 1;
+}
+
+// Mesa's software rasterizer ends all loops of a thread after so many rounds, those of inner loops
+// counted with them, and tells nobody: what was not gathered by then is missing.
+void HierarchicalFrame::check_rounds(const GatherParams& params, uint32_t rays) {
+  constexpr uint64_t kMostRounds = 65535;
+  const uint64_t rounds =
+      uint64_t{params.samples} * (1 + uint64_t{rays} * static_cast<uint32_t>(params.march_steps));
+  if (!frame_.runs_on_cpu() || rounds < kMostRounds) return;
+  frame_.fail(
+      {ErrorKind::usage,
+       "a CPU device loses light with visibility_steps=" + std::to_string(params.march_steps) +
+           " and the " + std::to_string(params.samples) + " samples of level " +
+           std::to_string(params.level) +
+           ": a thread's loops end after 65535 rounds; lower visibility_steps, samples or "
+           "sample_growth"});
 }
 
 uint32_t HierarchicalFrame::voxel_level(uint32_t level) const {
@@ -55,7 +72,7 @@ Image HierarchicalFrame::gather(const Pyramid& pyramid, uint32_t index, bool blo
       gather_params(level, index, every_pixel ? 0 : samples_at_level(settings_, index));
   const Image indirect = frame_.image("indirect", level.extent, Format::rgba16f);
   const uint32_t pixels_per_thread =
-      every_pixel || blocked ? 1 : gather_pixels_per_thread(level.extent);
+      every_pixel ? 1 : gather_pixels_per_thread(level.extent, blocked);
   const gpu::ShaderCode& shader = every_pixel ? shaders::techniques_hierarchical_gather_all_comp
                                   : blocked   ? shaders::techniques_hierarchical_gather_visible_comp
                                               : shaders::techniques_hierarchical_gather_comp;
@@ -71,6 +88,7 @@ Image HierarchicalFrame::gather(const Pyramid& pyramid, uint32_t index, bool blo
                            : 3 * divide_up(level.extent.height, 3 * pixels_per_thread)}};
   if (!every_pixel) dispatch.constants.push_back({"pixels_per_thread", pixels_per_thread});
   if (!every_pixel && blocked) {
+    check_rounds(params, 1);
     dispatch.read.push_back({"voxels", pyramid.levels[voxel_level(index)].voxels});
     dispatch.read.push_back({"range", pyramid.voxel_range});
   }

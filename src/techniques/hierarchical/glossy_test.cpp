@@ -2,7 +2,6 @@
 // Glossy receivers, FDP 4: against a sum over all pixels in double precision, and what drawing
 // samples around the lobe's peak saves.
 #include <cmath>
-#include <numbers>
 
 #include "techniques/hierarchical/equations.h"
 #include "techniques/hierarchical/hierarchical_fixture.h"

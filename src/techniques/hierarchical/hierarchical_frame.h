@@ -146,7 +146,10 @@ class HierarchicalFrame {
   Image filter(const Level& level, uint32_t index, const std::string& kind, Image light);
   Image combine(const Level& fine, uint32_t index, const Level& coarse, const std::string& kind,
                 Image own, Image light);
-  uint32_t gather_pixels_per_thread(Extent level) const;
+  uint32_t gather_pixels_per_thread(Extent level, bool marches) const;
+  // Fails the frame where the loops of a thread that marches would be cut short: `rays` for each of
+  // the samples that `params` has.
+  void check_rounds(const GatherParams& params, uint32_t rays);
   OutputParams output_params(const Pyramid& pyramid, const Gathered& gathered) const;
   bool further_are_blocked() const;
   uint32_t by_vote() const;

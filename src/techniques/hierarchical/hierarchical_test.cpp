@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The technique on the device, on G-buffers with a known answer.
 #include <cmath>
-#include <numbers>
 
 #include "techniques/hierarchical/hierarchical_fixture.h"
 

@@ -37,10 +37,8 @@ Pyramid HierarchicalFrame::pyramid_of_view(const View& view, Extent extent, int3
 void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receivers,
                                     const std::string& pass, Image indirect, bool is_first) {
   const Level& to = receivers.finest();
-  // One a thread with rays to march: it is quicker, and Mesa's software rasterizer ends all loops
-  // of a thread after 65 535 rounds, which several pixels' rays together reach.
-  const uint32_t pixels_per_thread =
-      givers.voxel_range.valid() ? 1 : gather_pixels_per_thread(to.extent);
+  const bool is_blocked = givers.voxel_range.valid();
+  const uint32_t pixels_per_thread = gather_pixels_per_thread(to.extent, is_blocked);
   for (uint32_t k = 0; k < givers.levels.size(); ++k) {
     const Level& from = givers.levels[k];
     GatherViewParams params{};
@@ -49,7 +47,6 @@ void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receiv
     params.receiver_screen = to.screen;
     params.source_from_receiver = givers.view_from_world * receivers.world_from_view;
     params.is_first = is_first && k == 0 ? 1 : 0;
-    const bool is_blocked = from.voxels.valid();
     Dispatch dispatch{
         .shader = is_blocked ? shaders::techniques_hierarchical_gather_view_visible_comp
                              : shaders::techniques_hierarchical_gather_view_comp,
@@ -60,6 +57,7 @@ void HierarchicalFrame::gather_from(const Pyramid& givers, const Pyramid& receiv
         .write = {{"indirect", indirect}},
         .over = {to.extent.width, 3 * divide_up(to.extent.height, 3 * pixels_per_thread)}};
     if (is_blocked) {
+      check_rounds(params.gather, 2);
       dispatch.read.push_back({"voxels", givers.levels[voxel_level(k)].voxels});
       dispatch.read.push_back({"range", givers.voxel_range});
       dispatch.read.push_back({"receiver_voxels", receivers.finest().voxels});

@@ -2,7 +2,6 @@
 // Sources that other views see, against the sum over all of their pixels in double precision.
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "techniques/hierarchical/hierarchical_fixture.h"
 

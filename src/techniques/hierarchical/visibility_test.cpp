@@ -149,6 +149,47 @@ TEST_F(VisibilityTest, ALightsVoxelsBlockWhatTheCameraDoesNotSee) {
                      1.9, 0.22, 1.5);
 }
 
+// Before a glowing wall most samples have a ray to march, of many steps. A CPU would cut the loops
+// of a thread short, and with them light, if it took more than one pixel.
+TEST_F(VisibilityTest, ManyStepsLoseNoLight) {
+  settings_.sources = Settings::Sources::lights;
+  settings_.light_view_px = 512;
+  settings_.samples = 192;
+  const PunctualLight light{.kind = PunctualLight::Kind::spot,
+                            .position = {2.8f, 1.0f, 0},
+                            .direction = {-1, 0, 0},
+                            .outer_cone_rad = 1.0f};
+  Room r{{kFloor, kWall}, {}};
+  r.boxes[1].radiance = 1;
+  const glm::dmat3 down(1, 0, 0, 0, 0.2, -std::sqrt(0.96), 0, std::sqrt(0.96), 0.2);
+  r.g = cast_g_buffer(scene_of(r.boxes), {192, 128}, 0.9, {0, 7, 1.4}, down);
+  double mean[2];
+  for (const bool many : {false, true}) {
+    settings_.visibility_steps = many ? 128 : 16;
+    mean[many] = floor_mean(r, light_of(r, Settings::Visibility::first_bounce, {light}), 0.6, 2.6);
+  }
+  EXPECT_GT(mean[0], 1e-2);
+  EXPECT_NEAR(mean[1] / mean[0], 1.0, 0.03);
+}
+
+// What a CPU device would cut short is refused, and says what to lower.
+TEST_F(VisibilityTest, MoreRoundsThanACpuTakesAreRefused) {
+  if (!recorder().runs_on_cpu()) GTEST_SKIP() << "not a CPU device";
+  settings_.samples = 256;
+  settings_.visibility_steps = 128;
+  settings_.visibility = Settings::Visibility::first_bounce;
+  const Room r = room(true);
+  BoxHost host(r.boxes, {});
+  const auto result = system().run([&](VkCommandBuffer commands) {
+    Frame frame = context().record(commands);
+    Hierarchical(settings_).render(
+        frame, {.view = r.g.view, .g_buffer = r.g.upload(recorder()), .host = &host});
+    return frame.finish();
+  });
+  ASSERT_FALSE(result.ok());
+  EXPECT_NE(result.error().message.find("lower visibility_steps"), std::string::npos);
+}
+
 TEST_F(VisibilityTest, WithoutTrianglesItFails) {
   const Room r = room(false);
   const auto result = system().run([&](VkCommandBuffer commands) {
