@@ -19,6 +19,10 @@ struct TriangleRange {
   // Whether the triangles bound a solid: each edge is shared by as many triangles of one direction
   // as of the other. What is not closed counts as a thin shell.
   bool closed = false;
+  // How thick that solid is: twice its volume over its area, in the units of `vertices`. A solid
+  // that is thinner than a grid can show, such as cloth, counts as a shell there. 0: not told, and
+  // never too thin.
+  float thickness = 0.0f;
   std::array<float, 16> world_from_object{};  // column-major, for column vectors
 };
 

@@ -63,14 +63,19 @@ std::vector<TriangleBatch> batches_of(const FrameScene& scene, BufferRef vertice
       TriangleBatch& batch = is_deformed ? moved : still;
       TriangleRange range{
           .first_index = item.first_index,
-          .index_count = item.closed_index_count,
-          .vertex_offset = item.vertex_offset + (is_deformed ? instance.first_deformed : 0),
-          .closed = true};
+          .vertex_offset = item.vertex_offset + (is_deformed ? instance.first_deformed : 0)};
       std::copy_n(glm::value_ptr(instance.world_from_object), 16, range.world_from_object.begin());
-      if (range.index_count > 0) batch.ranges.push_back(range);
-      range.first_index += item.closed_index_count;
-      range.index_count = item.index_count - item.closed_index_count;
+      const uint32_t end = item.first_index + item.index_count;
+      range.closed = true;
+      for (const SolidPart& part : item.solids) {
+        range.index_count = part.index_count;
+        range.thickness = part.thickness_m;
+        batch.ranges.push_back(range);
+        range.first_index += part.index_count;
+      }
       range.closed = false;
+      range.thickness = 0.0f;
+      range.index_count = end - range.first_index;
       if (range.index_count > 0) batch.ranges.push_back(range);
     }
   }

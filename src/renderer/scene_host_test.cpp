@@ -12,6 +12,7 @@
 #include "renderer/test_shaders/params.h"
 #include "renderer/test_shaders/shaders.h"
 #include "scene/builtin/scene_builder.h"
+#include "scene/builtin/shapes.h"
 #include "scene/deform.h"
 #include "scene/placed_light.h"
 
@@ -304,6 +305,27 @@ TEST_F(SceneHostTest, RangesTellWhatIsClosed) {
       EXPECT_EQ(open, has_holes ? 6u : 2u);
     });
   }
+}
+
+// Each solid's ranges tell how thick it is, the thinnest first, and cover the mesh once.
+TEST_F(SceneHostTest, RangesTellHowThickSolidsAre) {
+  Scene scene = scene_seen_from({0, 0, 3}, {0, 0, 0});
+  builtin::MeshBuilder builder;
+  builtin::add_box(builder, {-1, -1, -1}, {1, 1, 1}, {100.0f});
+  builtin::add_box(builder, {2, -1, -1}, {2.01f, 1, 1}, {100.0f});
+  builtin::add_box(builder, {3, -1, -1}, {4.9f, 1, 1}, {100.0f});
+  scene.meshes.push_back(builder.finish("boxes"));
+  scene.instances.push_back({.node = 0, .mesh = 0});
+  ask(scene, [&](Frame& frame, const Inputs& inputs) {
+    const std::vector<TriangleRange>& ranges = inputs.host->triangles(frame)[0].ranges;
+    ASSERT_EQ(ranges.size(), 2u);
+    EXPECT_EQ(ranges[0].index_count, 36u);
+    EXPECT_NEAR(ranges[0].thickness, 2 * 0.04 / 8.08, 1e-5);
+    EXPECT_EQ(ranges[1].first_index, 36u);
+    EXPECT_EQ(ranges[1].index_count, 72u);
+    EXPECT_NEAR(ranges[1].thickness, 2 * 7.6 / 23.2, 1e-5);  // 1.9 m, and not 2 m
+    EXPECT_TRUE(ranges[0].closed && ranges[1].closed);
+  });
 }
 
 }  // namespace

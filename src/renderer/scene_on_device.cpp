@@ -2,7 +2,10 @@
 #include "renderer/scene_on_device.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
+#include <map>
 #include <span>
 
 #include "base/try.h"
@@ -117,30 +120,40 @@ Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system
   return result;
 }
 
-// Puts the triangles of each primitive that bound solids first; gives how many indices those have.
-// What has holes by its material bounds nothing.
-std::vector<uint32_t> SceneOnDevice::closed_first(const Mesh& mesh,
-                                                  std::span<uint32_t> indices) const {
-  const Watertightness solids = watertightness(mesh);
-  std::vector<uint32_t> closed_counts;
+// Puts the triangles of each primitive that bound solids first, the thinnest before the others;
+// gives how many indices those have. What has holes by its material bounds nothing.
+std::vector<std::vector<SolidPart>> SceneOnDevice::solids_first(const Mesh& mesh,
+                                                                std::span<uint32_t> indices) const {
+  const Watertightness found = watertightness(mesh);
+  std::vector<std::vector<SolidPart>> solids;
   for (const Primitive& primitive : mesh.primitives) {
     const bool has_holes = material(primitive.material).alpha_mode == AlphaMode::mask;
+    struct Part {
+      std::vector<uint32_t> indices;
+      float thickness_m = std::numeric_limits<float>::max();
+    };
+    std::map<int, Part> parts;  // by power of two of the thickness
     std::vector<uint32_t> open;
-    uint32_t end = primitive.first_index;
     for (uint32_t i = primitive.first_index; i < primitive.first_index + primitive.index_count;
          i += 3) {
-      const bool closed = !has_holes && solids.is_closed[i / 3];
-      for (uint32_t corner = i; corner < i + 3; ++corner) {
-        if (closed)
-          indices[end++] = indices[corner];
-        else
-          open.push_back(indices[corner]);
+      const float thickness_m = found.thickness_m[i / 3];
+      std::vector<uint32_t>* where = &open;
+      if (!has_holes && thickness_m > 0.0f) {
+        Part& part = parts[std::ilogb(thickness_m)];
+        part.thickness_m = std::min(part.thickness_m, thickness_m);
+        where = &part.indices;
       }
+      where->insert(where->end(), &indices[i], &indices[i] + 3);
     }
-    closed_counts.push_back(end - primitive.first_index);
-    std::copy(open.begin(), open.end(), indices.begin() + end);
+    auto end = indices.begin() + primitive.first_index;
+    solids.emplace_back();
+    for (const auto& [power, part] : parts) {
+      end = std::copy(part.indices.begin(), part.indices.end(), end);
+      solids.back().push_back({static_cast<uint32_t>(part.indices.size()), part.thickness_m});
+    }
+    std::copy(open.begin(), open.end(), end);
   }
-  return closed_counts;
+  return solids;
 }
 
 Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& device,
@@ -153,8 +166,7 @@ Result<void> SceneOnDevice::upload_geometry(gpu::System& system, gpu::Device& de
     primitives_.push_back(mesh.primitives);
     vertices.insert(vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     indices.insert(indices.end(), mesh.indices.begin(), mesh.indices.end());
-    closed_index_counts_.push_back(
-        closed_first(mesh, std::span(indices).last(mesh.indices.size())));
+    solids_.push_back(solids_first(mesh, std::span(indices).last(mesh.indices.size())));
   }
   // An empty scene still binds something.
   if (vertices.empty()) vertices.emplace_back();
@@ -291,7 +303,7 @@ std::vector<DrawItem> SceneOnDevice::draws(const std::vector<glm::mat4>& world_f
     for (size_t i = 0; i < primitives.size(); ++i)
       items.push_back({range.first_index + primitives[i].first_index, primitives[i].index_count,
                        range.vertex_offset, first, end - first, primitives[i].material,
-                       mirrored_at(first), closed_index_counts_[static_cast<size_t>(mesh)][i]});
+                       mirrored_at(first), solids_[static_cast<size_t>(mesh)][i]});
     first = end;
   }
   return items;

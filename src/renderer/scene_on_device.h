@@ -15,6 +15,12 @@
 
 namespace lueur {
 
+// Triangles that bound solids, all about as thick.
+struct SolidPart {
+  uint32_t index_count = 0;
+  float thickness_m = 0.0f;  // of the thinnest of them, as the mesh has it: scene/watertight.h
+};
+
 // A primitive of a mesh, for a run of instances that follow each other in the instance buffer.
 struct DrawItem {
   uint32_t first_index = 0;
@@ -24,7 +30,7 @@ struct DrawItem {
   uint32_t instance_count = 0;
   int32_t material = 0;
   bool mirrored = false;  // the instances' transforms turn front faces into clockwise ones
-  uint32_t closed_index_count = 0;  // the first so many bound solids: scene/watertight.h
+  std::span<const SolidPart> solids;  // its first indices; what comes after them bounds nothing
 };
 
 // Where the scene's parts are at one time.
@@ -76,15 +82,16 @@ class SceneOnDevice {
   };
   SceneOnDevice() = default;
   std::vector<DrawItem> draws(const std::vector<glm::mat4>& world_from_node) const;
-  std::vector<uint32_t> closed_first(const Mesh& mesh, std::span<uint32_t> indices) const;
+  std::vector<std::vector<SolidPart>> solids_first(const Mesh& mesh,
+                                                   std::span<uint32_t> indices) const;
   Result<void> upload_geometry(gpu::System& system, gpu::Device& device, const Scene& scene);
   Result<void> upload_textures(gpu::System& system, gpu::Device& device, const Scene& scene);
   void make_materials(Recorder& recorder, const Scene& scene);
 
   std::vector<Material> scene_materials_;
-  std::vector<Instance> instances_;                         // ordered by mesh
-  std::vector<std::vector<Primitive>> primitives_;          // by mesh
-  std::vector<std::vector<uint32_t>> closed_index_counts_;  // by mesh and primitive
+  std::vector<Instance> instances_;                          // ordered by mesh
+  std::vector<std::vector<Primitive>> primitives_;           // by mesh
+  std::vector<std::vector<std::vector<SolidPart>>> solids_;  // by mesh and primitive
   std::vector<MeshRange> meshes_;
   gpu::Buffer vertices_;
   gpu::Buffer indices_;

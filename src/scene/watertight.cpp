@@ -100,6 +100,35 @@ void for_each_edge(const std::vector<HalfEdge>& edges, const Visit& visit) {
   }
 }
 
+// By component: twice the volume within its triangles over their area.
+std::vector<float> thickness_of(const Mesh& mesh, Sets& components) {
+  struct Measure {
+    double volume = 0.0, area = 0.0;
+    glm::dvec3 origin{};
+  };
+  const size_t triangles = mesh.indices.size() / 3;
+  std::vector<Measure> measures(triangles);
+  for (uint32_t i = 0; i < triangles; ++i) {
+    const auto corner = [&](uint32_t k) {
+      return glm::dvec3(mesh.vertices[mesh.indices[3 * i + k]].position);
+    };
+    Measure& measure = measures[components.of(i)];
+    // Near the component, or what is far from the origin would be small differences. A set is named
+    // by its first triangle.
+    if (components.of(i) == i) measure.origin = corner(0);
+    const glm::dvec3 a = corner(0) - measure.origin;
+    const glm::dvec3 b = corner(1) - measure.origin, c = corner(2) - measure.origin;
+    measure.volume += glm::dot(a, glm::cross(b, c)) / 6.0;
+    measure.area += 0.5 * glm::length(glm::cross(b - a, c - a));
+  }
+  std::vector<float> thickness_m;
+  for (const Measure& measure : measures)
+    thickness_m.push_back(measure.area > 0.0
+                              ? static_cast<float>(2.0 * std::abs(measure.volume) / measure.area)
+                              : 0.0f);
+  return thickness_m;
+}
+
 }  // namespace
 
 Watertightness watertightness(const Mesh& mesh) {
@@ -117,10 +146,15 @@ Watertightness watertightness(const Mesh& mesh) {
 
   Watertightness found;
   found.is_closed.assign(triangles, true);
+  found.thickness_m.assign(triangles, 0.0f);
+  const std::vector<float> thickness_m = thickness_of(mesh, components);
   found.closed_triangles = edges.size() / 3;
   for (uint32_t i = 0; i < triangles; ++i) {
     const uint32_t open = open_edges[components.of(i)];
-    if (open == 0) continue;
+    if (open == 0) {
+      found.thickness_m[i] = thickness_m[components.of(i)];
+      continue;
+    }
     found.is_closed[i] = false;
     ++found.open_triangles;
     --found.closed_triangles;

@@ -13,6 +13,9 @@ struct Watertightness {
   // Of each triangle of Mesh::indices: whether its component is closed. Triangles with two corners
   // at one place cover nothing and never spoil it.
   std::vector<bool> is_closed;
+  // Of each triangle: how thick its component is, twice the volume over the area. 0: it is open, or
+  // bounds nothing.
+  std::vector<float> thickness_m;
   uint64_t closed_triangles = 0;
   uint64_t open_triangles = 0;
   uint64_t open_edges = 0;  // of the first component that is open

@@ -112,6 +112,23 @@ TEST(Watertight, AGapIsAGap) {
   expect_counts(mesh, 0, 12, 4);
 }
 
+TEST(Watertight, ThicknessIsTwiceTheVolumeOverTheArea) {
+  Mesh mesh = box();
+  for (Vertex& vertex : mesh.vertices) {
+    vertex.position.z *= 0.01f;  // 2 x 2 x 0.02 m
+    vertex.position += glm::vec3(1000, 500, 200);
+  }
+  append(mesh, sphere(64));
+  append(mesh, box());
+  mesh.indices.resize(mesh.indices.size() - 3);
+  const Watertightness w = watertightness(mesh);
+  ASSERT_EQ(w.thickness_m.size(), w.is_closed.size());
+  EXPECT_NEAR(w.thickness_m[0], 2 * 0.08 / 8.16, 1e-4);  // rounding of positions
+  EXPECT_NEAR(w.thickness_m[12], 2.0 / 3.0, 0.01);
+  EXPECT_EQ(w.thickness_m[12], w.thickness_m[13]);
+  EXPECT_EQ(w.thickness_m.back(), 0.0f);
+}
+
 TEST(Watertight, OfNothing) {
   expect_counts({}, 0, 0, 0);
 }

@@ -9,6 +9,10 @@ LUEUR_NAMESPACE_BEGIN
 
 // Rows of pixels that one thread of range_part.comp looks at.
 const int kRowsPerThread = 16;
+// The range of depths is rounded outwards to this part of its own power of two.
+const int kRangeParts = 8;
+// How far from a pixel's centre its column still belongs to a shell: to the pixel's edges.
+const float kShellReachPx = 0.5f;
 // Triangles of a workgroup of toggle.comp.
 const uint kChunkTriangles = 64u;
 
@@ -21,6 +25,7 @@ struct RangeData {
   uint first_index;
   int vertex_offset;
   uint triangle_count;
+  float thickness_m;  // of the solid that it bounds, 0: none
 };
 
 // Where the vertices of a TriangleBatch are.

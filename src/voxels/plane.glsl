@@ -9,17 +9,16 @@ struct Plane {
   vec2 bounds;    // least and greatest 1 / z of the triangle's visible part
 };
 
-// First and last slice of a pixel's column that the plane belongs to. Solids: where it is crossed
-// at the pixel's centre, and all behind. Shells: all it crosses within the pixel. Slices outside of
-// the grid may be among them, and first > last says there is none inside.
-ivec2 slices_of(VoxelRange range, Plane plane, vec2 position_px, bool is_shell) {
+// First and last slice of a pixel's column where the plane is within `reach_px` of the pixel's
+// centre in x and y. Those outside of the grid are not among them, and first > last says that none
+// is inside.
+ivec2 slices_of(VoxelRange range, Plane plane, vec2 position_px, float reach_px) {
   precise const float inverse_z =
       plane.inverse_z + dot(plane.gradient, position_px - plane.at_px);
-  const float half_px = is_shell ? 0.5 * (abs(plane.gradient.x) + abs(plane.gradient.y)) : 0.0;
-  const vec2 ends = 1.0 / clamp(inverse_z + vec2(half_px, -half_px), plane.bounds.x,
-                                plane.bounds.y);
+  const float reach = reach_px * (abs(plane.gradient.x) + abs(plane.gradient.y));
+  const vec2 ends = 1.0 / clamp(inverse_z + vec2(reach, -reach), plane.bounds.x, plane.bounds.y);
   const float slices = float(range.slices);
   const float first = clamp(floor(slice_place(range, ends.x)), -1.0, slices);
   const float last = clamp(floor(slice_place(range, ends.y)), -1.0, slices - 1.0);
-  return ivec2(max(int(first), 0), is_shell ? int(last) : int(range.slices) - 1);
+  return ivec2(max(int(first), 0), int(last));
 }

@@ -21,13 +21,18 @@ void main() {
   if (gl_LocalInvocationIndex != 0) return;
   for (uint i = 1; i < 64; ++i) bounds = max(bounds, shared_bounds[i]);
 
-  // Outward to powers of 2^(1/4), so that slices stay in place while a camera moves a little.
-  // Where nothing is visible, any range does.
+  // Outward to multiples of a part of the depth there is, so that slices stay in place while a
+  // camera moves a little; near the eye to powers of 2^(1/4), as 0 is no depth. Where nothing is
+  // visible, any range does.
   float z_near = 1.0;
   float z_far = 2.0;
   if (bounds.y > 0.0) {
-    z_near = exp2(floor(-4.0 * log2(bounds.x)) / 4.0);
-    z_far = exp2(floor(4.0 * log2(bounds.y) + 1.0) / 4.0);
+    const float nearest = 1.0 / bounds.x;
+    const float farthest = bounds.y;
+    const float unit =
+        exp2(floor(log2(max(farthest - nearest, 1e-3 * farthest)))) / float(kRangeParts);
+    z_near = max(exp2(floor(4.0 * log2(nearest)) / 4.0), floor(nearest / unit) * unit);
+    z_far = (floor(farthest / unit) + 1.0) * unit;
   }
   range.value = VoxelRange(z_near, float(p.slices) / (z_far - z_near), p.slices);
 }

@@ -26,7 +26,9 @@ uvec4 words_from(int word, ivec2 slices) {
 
 void main() {
   const Plane plane = Plane(plane_at_px, plane_inverse_z, plane_gradient, plane_bounds);
-  const ivec2 slices = slices_of(range.value, plane, gl_FragCoord.xy, p.is_shell == 1);
+  ivec2 slices = slices_of(range.value, plane, gl_FragCoord.xy,
+                           p.range.thickness_m == 0.0 ? kShellReachPx : 0.0);
+  if (p.is_shell == 0) slices.y = int(range.value.slices) - 1;  // and all behind
   bits_0 = words_from(0, slices);
   bits_1 = words_from(4, slices);
   bits_2 = words_from(8, slices);

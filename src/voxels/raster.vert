@@ -22,6 +22,10 @@ layout(location = 3) flat out vec2 plane_bounds;
 void main() {
   const Triangle t =
       fetch_triangle(p.range, params.value.place, uint(gl_VertexIndex) / 3);
+  if (p.is_shell == 1 && !is_thin(range.value, p.range.thickness_m)) {
+    gl_Position = vec4(0.0, 0.0, -1.0, 1.0);  // outside
+    return;
+  }
   const float z_clip = clip_z(range.value);
   const Plane plane = plane_of(t, z_clip);
   plane_at_px = plane.at_px;

@@ -21,6 +21,12 @@ LUEUR_SHARED float slice_place(VoxelRange range, float z) {
   return (z - range.z_near) * range.slices_per_m;
 }
 
+// Whether what triangles bound is thinner than a slice, so that a ray's two crossings would mostly
+// cancel. So is what bounds nothing, with 0.
+LUEUR_SHARED bool is_thin(VoxelRange range, float thickness_m) {
+  return thickness_m * range.slices_per_m < 1.0f;
+}
+
 // The bits of slices `first` to `last` in a column's word. None if the word has none of them.
 LUEUR_SHARED uint slice_mask(int word, int first, int last) {
   const int low = max(first - 32 * word, 0);

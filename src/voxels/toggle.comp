@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Triangles become bits of voxels. Solids toggle the one voxel of each crossing of a pixel's ray,
-// from which fill.comp makes solid columns; shells set all voxels they touch.
+// from which fill.comp makes solid columns; shells set all voxels they touch. Thin solids are both,
+// and set those of their crossings.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
 #include "voxels/params.h"
 #include "voxels/slices.h"
 
-layout(constant_id = 0) const uint shell = 0;  // 1: triangles of shells
+layout(constant_id = 0) const uint shell = 0;  // 1: set, 0: toggle
 layout(local_size_x = 64) in;                  // kChunkTriangles
 layout(set = 0, binding = 0, scalar) readonly buffer Vertices { float data[]; } vertices;
 layout(set = 0, binding = 1, scalar) readonly buffer Indices { uint data[]; } indices;
@@ -27,13 +28,13 @@ const uint kThreadsPerRow = 8;
 shared uint shared_count;
 shared Triangle shared_triangles[64];
 
-void mark(VoxelRange grid, Plane plane, ivec2 pixel) {
-  const ivec2 slices = slices_of(grid, plane, vec2(pixel) + 0.5, shell == 1);
-  if (slices.x > slices.y) return;
+void mark(VoxelRange grid, Plane plane, float reach_px, ivec2 pixel) {
+  const ivec2 slices = slices_of(grid, plane, vec2(pixel) + 0.5, reach_px);
   const int first_texel = pixel.y * int(grid.slices / 32);
   if (shell == 0) {
-    imageAtomicXor(voxels, ivec2(pixel.x, first_texel + (slices.x >> 5)),
-                   1u << uint(slices.x & 31));
+    if (slices.x < int(grid.slices))
+      imageAtomicXor(voxels, ivec2(pixel.x, first_texel + (slices.x >> 5)),
+                     1u << uint(slices.x & 31));
     return;
   }
   for (int word = slices.x >> 5; word <= slices.y >> 5; ++word)
@@ -51,6 +52,8 @@ void main() {
   const float z_clip = clip_z(grid);
   const Chunk chunk = chunks.data[chunk_index];
   const RangeData part = ranges.data[chunk.range];
+  if (shell == 1 && !is_thin(grid, part.thickness_m)) return;
+  const float reach_px = part.thickness_m == 0.0 ? kShellReachPx : 0.0;
   const uint triangle = chunk.first_triangle + gl_LocalInvocationIndex;
   ivec2 rows = ivec2(0);
   Triangle t = Triangle(vec3(0.0), vec3(0.0), vec3(0.0));
@@ -65,7 +68,7 @@ void main() {
   const Plane plane = plane_of(t, z_clip);
   for (int row = rows.x; row < rows.y; ++row) {
     const ivec2 span = row_span(t, row, p.extent.x, z_clip);
-    for (int x = span.x; x < span.y; ++x) mark(grid, plane, ivec2(x, row));
+    for (int x = span.x; x < span.y; ++x) mark(grid, plane, reach_px, ivec2(x, row));
   }
   barrier();
 
@@ -80,7 +83,7 @@ void main() {
       const ivec2 span = row_span(large, row, p.extent.x, z_clip);
       for (int x = span.x + int(gl_LocalInvocationIndex % kThreadsPerRow); x < span.y;
            x += int(kThreadsPerRow))
-        mark(grid, large_plane, ivec2(x, row));
+        mark(grid, large_plane, reach_px, ivec2(x, row));
     }
   }
 }

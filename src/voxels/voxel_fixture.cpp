@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "voxels/params.h"
 #include "voxels/test_shaders/shaders.h"
 
 namespace lueur {
@@ -64,7 +65,7 @@ Screen test_screen(Extent extent) {
 
 ExactVoxels exact_voxels(const std::vector<TestMesh>& meshes, Extent extent, uint32_t slices) {
   const Screen screen = test_screen(extent);
-  std::vector<std::pair<Seen, bool>> triangles;
+  std::vector<std::pair<Seen, double>> triangles;  // with what they bound, m
   for (const TestMesh& mesh : meshes)
     for (size_t i = 0; i < mesh.indices.size(); i += 3) {
       Seen seen;
@@ -73,7 +74,8 @@ ExactVoxels exact_voxels(const std::vector<TestMesh>& meshes, Extent extent, uin
         seen.corner[k] = {(p.x + p.z * screen.ray_offset.x) / screen.ray_scale.x,
                           (p.y + p.z * screen.ray_offset.y) / screen.ray_scale.y, -p.z};
       }
-      triangles.emplace_back(seen, mesh.closed);
+      const double told = mesh.thickness > 0 ? double{mesh.thickness} : 1e9;
+      triangles.emplace_back(seen, mesh.closed ? told : 0.0);
     }
 
   const size_t pixels = size_t{extent.width} * extent.height;
@@ -84,12 +86,13 @@ ExactVoxels exact_voxels(const std::vector<TestMesh>& meshes, Extent extent, uin
   exact.border_slices.assign(pixels, 1e9);
   struct Hit {
     size_t pixel;
-    double near_z, far_z;
-    bool closed;
+    double z;              // at the pixel's centre
+    double near_z, far_z;  // within the pixel
+    double thickness_m;
   };
   std::vector<Hit> hits;
   double least = 1e9, greatest = 0;
-  for (const auto& [t, closed] : triangles) {
+  for (const auto& [t, thickness_m] : triangles) {
     const glm::dvec3 plane = inverse_z_plane(t);
     const glm::dvec3 z(t.corner[0].z, t.corner[1].z, t.corner[2].z);
     const double z_min = std::max(1e-3, std::min({z.x, z.y, z.z}));
@@ -106,11 +109,12 @@ ExactVoxels exact_voxels(const std::vector<TestMesh>& meshes, Extent extent, uin
       if (!covers(t, glm::dvec3(p, 1.0))) continue;
       const double inverse_z = plane[0] + plane[1] * p.x + plane[2] * p.y;
       if (inverse_z <= 0) continue;
-      const double half = closed ? 0.0 : 0.5 * (std::abs(plane[1]) + std::abs(plane[2]));
+      const double half = 0.5 * (std::abs(plane[1]) + std::abs(plane[2]));
       const auto bounded = [&](double at) {
         return 1.0 / std::clamp(at, 1.0 / z_max, 1.0 / z_min);
       };
-      hits.push_back({i, bounded(inverse_z + half), bounded(inverse_z - half), closed});
+      hits.push_back({i, bounded(inverse_z), bounded(inverse_z + half), bounded(inverse_z - half),
+                      thickness_m});
       const double seen_z = 1.0 / inverse_z;
       float& nearest = exact.nearest_z[i];
       if (nearest == 0.0f || seen_z < nearest) nearest = static_cast<float>(seen_z);
@@ -121,25 +125,29 @@ ExactVoxels exact_voxels(const std::vector<TestMesh>& meshes, Extent extent, uin
       least = std::min(least, double{z});
       greatest = std::max(greatest, double{z});
     }
-  const double z_near = std::exp2(std::floor(4.0 * std::log2(least)) / 4.0);
-  const double z_far = std::exp2(std::floor(4.0 * std::log2(greatest) + 1.0) / 4.0);
+  const double unit = std::exp2(std::floor(std::log2(greatest - least))) / kRangeParts;
+  const double z_near = std::max(std::exp2(std::floor(4.0 * std::log2(least)) / 4.0),
+                                 std::floor(least / unit) * unit);
+  const double z_far = (std::floor(greatest / unit) + 1.0) * unit;
   exact.range = {static_cast<float>(z_near), static_cast<float>(slices / (z_far - z_near)), slices};
 
   // Solids first, then shells over them.
   const int count = static_cast<int>(slices);
-  for (const bool closed : {true, false})
+  for (const bool solid : {true, false})
     for (const Hit& hit : hits) {
-      if (hit.closed != closed) continue;
-      const double first = (hit.near_z - z_near) * exact.range.slices_per_m;
-      const double last = (hit.far_z - z_near) * exact.range.slices_per_m;
+      const bool closed = hit.thickness_m > 0;
+      if (!(solid ? closed : hit.thickness_m * exact.range.slices_per_m < 1.0)) continue;
+      const auto place_of = [&](double z) { return (z - z_near) * exact.range.slices_per_m; };
+      const double first = place_of(closed ? hit.z : hit.near_z);
+      const double last = place_of(closed ? hit.z : hit.far_z);
       for (const double place : {first, last})
         exact.border_slices[hit.pixel] =
             std::min(exact.border_slices[hit.pixel], std::abs(place - std::round(place)));
       const int low = std::max(static_cast<int>(std::floor(first)), 0);
-      const int high = closed ? count - 1 : std::min(static_cast<int>(std::floor(last)), count - 1);
+      const int high = solid ? count - 1 : std::min(static_cast<int>(std::floor(last)), count - 1);
       for (int s = low; s <= high; ++s) {
         uint32_t& word = exact.columns.words[hit.pixel * (slices / 32) + s / 32];
-        word = closed ? word ^ 1u << (s % 32) : word | 1u << (s % 32);
+        word = solid ? word ^ 1u << (s % 32) : word | 1u << (s % 32);
       }
     }
   return exact;
@@ -155,7 +163,8 @@ TriangleBatch VoxelTest::upload(const std::vector<TestMesh>& meshes) {
     TriangleRange range{.first_index = static_cast<uint32_t>(indices.size()),
                         .index_count = static_cast<uint32_t>(mesh.indices.size()),
                         .vertex_offset = static_cast<int32_t>(floats.size() / kStride),
-                        .closed = mesh.closed};
+                        .closed = mesh.closed,
+                        .thickness = 0.5f * mesh.thickness};
     // Half the size, twice as large in the world.
     const glm::mat4 twice(glm::mat3(2.0f));
     std::copy_n(glm::value_ptr(twice), 16, range.world_from_object.begin());

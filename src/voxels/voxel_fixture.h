@@ -16,6 +16,7 @@ struct TestMesh {
   std::vector<glm::vec3> positions;
   std::vector<uint32_t> indices;
   bool closed = true;
+  float thickness = 0.0f;  // m, 0: not told
 };
 
 TestMesh mesh_of(const std::function<void(builtin::MeshBuilder&)>& add);

@@ -59,7 +59,7 @@ BufferRef Pass::find_range() const {
 void Pass::toggle(Image voxels, bool shells) const {
   for (const TriangleBatch& batch : info.triangles) {
     const std::vector<RangeData> ranges =
-        ranges_on_screen(batch, !shells, info.view_from_world, info.screen);
+        ranges_on_screen(batch, shells, info.view_from_world, info.screen);
     const std::vector<Chunk> chunks = chunks_of(ranges);
     if (chunks.empty()) continue;
     const auto count = static_cast<uint32_t>(chunks.size());
@@ -97,7 +97,7 @@ Image Pass::compute() const {
 void Pass::draw(const std::string& pass, const TriangleBatch& batch, bool shells,
                 std::span<const DrawTarget> targets) const {
   const std::vector<RangeData> ranges =
-      ranges_on_screen(batch, !shells, info.view_from_world, info.screen);
+      ranges_on_screen(batch, shells, info.view_from_world, info.screen);
   if (ranges.empty() && targets[0].keep) return;
   frame.draw(pass,
              {.state = {.vertex = &shaders::voxels_raster_vert,

@@ -37,6 +37,17 @@ std::vector<TestMesh> solids_and_a_shell() {
           shell_of({-2.3f, -1.41f, -3.11f}, {1.63f, 0.2f, -3.5f}, {0.1f, 0.87f, -0.3f})};
 }
 
+// A board between the others, that is solid in 256 and 512 slices and a shell in fewer.
+std::vector<TestMesh> with_a_thin_board() {
+  std::vector<TestMesh> meshes = solids_and_a_shell();
+  meshes.push_back(mesh_of([](auto& b) {
+    b.set_transform(glm::rotate(glm::mat4(1.0f), 0.4f, {0.2f, 1.0f, 0.1f}));
+    builtin::add_box(b, {-1.6f, -1.1f, -4.43f}, {0.9f, 0.95f, -4.4f}, {0.5f});
+  }));
+  meshes.back().thickness = 0.03f;
+  return meshes;
+}
+
 struct Differences {
   uint32_t columns = 0;
   uint64_t voxels = 0;
@@ -77,7 +88,7 @@ class VoxelGridTest : public VoxelTest,
 };
 
 TEST_P(VoxelGridTest, IsWhatExactArithmeticGives) {
-  const std::vector<TestMesh> meshes = solids_and_a_shell();
+  const std::vector<TestMesh> meshes = with_a_thin_board();
   const ExactVoxels exact = exact_voxels(meshes, kExtent, slices());
   const Columns found = voxels(meshes, kExtent, exact.nearest_z, slices(), voxelizer())[0];
   // Devices place vertices on a grid of 1/256 pixel, ours do not.
@@ -85,6 +96,54 @@ TEST_P(VoxelGridTest, IsWhatExactArithmeticGives) {
   EXPECT_EQ(d.unexplained, 0u);
   const double voxel_count = double{kExtent.width} * kExtent.height * slices();
   EXPECT_LT(static_cast<double>(d.voxels), 1e-3 * voxel_count);
+}
+
+// Slices are spent on the depths that are seen, however far away those are.
+TEST_P(VoxelGridTest, WhatIsFarAwayHasFineSlicesToo) {
+  const std::vector<TestMesh> meshes = {
+      mesh_of([](auto& b) {
+        builtin::add_box(b, {-900, -900, -831}, {900, 900, -830}, {1000.0f});
+      }),
+      mesh_of([](auto& b) {
+        builtin::add_box(b, {-90, -90, -810}, {90, 90, -800}, {1000.0f});
+      })};
+  const ExactVoxels exact = exact_voxels(meshes, kExtent, slices());
+  const Columns found = voxels(meshes, kExtent, exact.nearest_z, slices(), voxelizer())[0];
+  uint32_t solid = 0;
+  for (uint32_t s = 0; s < slices(); ++s)
+    solid += found.at(kExtent.width / 2, kExtent.height / 2, s);
+  // 10 of 30 m, and little more.
+  EXPECT_NEAR(solid, slices() * 10 / 32.0, 1.0 + slices() * 1 / 32.0);
+}
+
+// Between nothing and a wall there is a board that is far thinner than a slice: wherever it is in
+// front, it is in the grid. As a solid, its two faces would cancel in most columns.
+TEST_P(VoxelGridTest, NoSolidIsTooThinToBeThere) {
+  const std::vector<TestMesh> meshes = {mesh_of([](auto& b) {
+                                          builtin::add_box(b, {-9, -9, -9}, {9, 9, -8}, {100.0f});
+                                        }),
+                                        mesh_of([](auto& b) {
+                                          builtin::add_box(b, {-1, -1, -3.003f}, {1, 1, -3}, {100});
+                                        })};
+  for (const bool is_told : {false, true}) {
+    std::vector<TestMesh> told = meshes;
+    if (is_told) told[1].thickness = 0.003f;
+    const ExactVoxels exact = exact_voxels(told, kExtent, slices());
+    const Columns found = voxels(told, kExtent, exact.nearest_z, slices(), voxelizer())[0];
+    const auto slice = static_cast<uint32_t>(slice_place(exact.range, 3.0f));
+    uint32_t seen = 0, there = 0;
+    for (uint32_t y = 0; y < kExtent.height; ++y)
+      for (uint32_t x = 0; x < kExtent.width; ++x) {
+        if (exact.nearest_z[size_t{y} * kExtent.width + x] > 3.001f) continue;
+        ++seen;
+        there += found.at(x, y, slice) || found.at(x, y, slice + 1);
+      }
+    ASSERT_GT(seen, 100u);
+    if (is_told)
+      EXPECT_EQ(there, seen);
+    else
+      EXPECT_LT(there, seen / 2);
+  }
 }
 
 // Walls that pass beside and behind the eye, of a room that the eye is in: air up to the wall, then
@@ -242,7 +301,8 @@ TEST(VoxelLayout, StructuresLieAsTheShadersReadThem) {
   expect_layout(shaders::voxels_toggle_comp, "ranges", sizeof(RangeData),
                 {LUEUR_MEMBER(RangeData, row_x), LUEUR_MEMBER(RangeData, row_y),
                  LUEUR_MEMBER(RangeData, row_z), LUEUR_MEMBER(RangeData, first_index),
-                 LUEUR_MEMBER(RangeData, vertex_offset), LUEUR_MEMBER(RangeData, triangle_count)});
+                 LUEUR_MEMBER(RangeData, vertex_offset), LUEUR_MEMBER(RangeData, triangle_count),
+                 LUEUR_MEMBER(RangeData, thickness_m)});
   expect_layout(shaders::voxels_toggle_comp, "chunks", sizeof(Chunk),
                 {LUEUR_MEMBER(Chunk, range), LUEUR_MEMBER(Chunk, first_triangle)});
   expect_layout(shaders::voxels_range_comp, "range", sizeof(VoxelRange),

@@ -12,8 +12,9 @@
 
 namespace lueur {
 
-// The ranges of a batch that are closed, or those that are not, with a vertex as the screen has it.
-std::vector<RangeData> ranges_on_screen(const TriangleBatch& batch, bool closed,
+// The ranges of a batch that toggle voxels, which are the closed ones, or those that may set some:
+// how thick slices are is known on the device. With a vertex as the screen has it.
+std::vector<RangeData> ranges_on_screen(const TriangleBatch& batch, bool shells,
                                         const glm::mat4& view_from_world, const Screen& screen);
 
 // All of their triangles, in work for workgroups.

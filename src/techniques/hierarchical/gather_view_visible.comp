@@ -29,12 +29,17 @@ const uint march_rays = 1;
 #define VOXELS receiver_voxels
 #include "voxels/march.glsl"
 
-// A point of a surface moved into the air in front of it, along the view's ray: towards the eye, or
-// away from it where the view would see the surface's back.
-vec3 in_air(vec3 position, vec3 normal, VoxelRange range) {
-  const float bias_m = kMarchBiasSlices / range.slices_per_m;
-  const float side = dot(normal, position) < 0.0 ? -1.0 : 1.0;
-  return position * max(1.0 + side * bias_m / max(abs(position.z), 1.0e-3), 1.0e-3);
+// A point of a surface moved into the air in front of it, along the normal: as far from its plane
+// as some slices along the view's ray lead, and half a pixel across it, as columns are of pixels'
+// centres. Along the ray itself it would be farther, and from a surface that the view sees the back
+// of it would lead into what is behind.
+vec3 in_air(vec3 position, vec3 normal, VoxelRange range, vec2 ray_scale) {
+  const float along = dot(normal, normalize(position));
+  const float across = sqrt(max(1.0 - along * along, 0.0));
+  const float slice_m = 1.0 / range.slices_per_m;
+  const float pixel_m = abs(position.z * ray_scale.y);
+  return position +
+         normal * (kMarchBiasSlices * slice_m * abs(along) + 0.5 * pixel_m * across);
 }
 
 // In the giving view, whose picture holds the patch.
@@ -42,8 +47,8 @@ float visibility_there(Receiver r, vec3 patch_position, vec3 patch_normal) {
   const GatherParams g = params.value.gather;
   Screen screen = g.screen;
   screen.ray_scale /= g.march_scale;
-  const vec3 from = in_air(patch_position, patch_normal, range.value);
-  const vec3 to = in_air(r.position, r.normal, range.value);
+  const vec3 from = in_air(patch_position, patch_normal, range.value, screen.ray_scale);
+  const vec3 to = in_air(r.position, r.normal, range.value, screen.ray_scale);
   return march(range.value, march_point(screen, from),
                march_end(screen, vec2(g.source_extent) * g.march_scale, from, to), g.march_steps,
                MarchBias(kMarchBiasPx * g.march_scale, 0.0));
@@ -53,13 +58,14 @@ float visibility_there(Receiver r, vec3 patch_position, vec3 patch_normal) {
 float visibility_here(Receiver r, vec3 patch_position, vec3 patch_normal) {
   const mat4 there_from_here = params.value.source_from_receiver;
   const mat3 turn = transpose(mat3(there_from_here));
-  const vec3 from =
-      in_air(turn * (r.position - there_from_here[3].xyz), turn * r.normal, receiver_range.value);
-  const vec3 to = in_air(turn * (patch_position - there_from_here[3].xyz), turn * patch_normal,
-                         receiver_range.value);
   const Screen screen = params.value.receiver_screen;
+  const VoxelRange grid = receiver_range.value;
+  const vec3 from = in_air(turn * (r.position - there_from_here[3].xyz), turn * r.normal, grid,
+                           screen.ray_scale);
+  const vec3 to = in_air(turn * (patch_position - there_from_here[3].xyz), turn * patch_normal,
+                         grid, screen.ray_scale);
   return march_among_receivers(
-      receiver_range.value, march_point(screen, from),
+      grid, march_point(screen, from),
       march_end(screen, vec2(params.value.gather.extent), from, to),
       params.value.gather.march_steps, MarchBias(kMarchBiasPx, 0.0));
 }

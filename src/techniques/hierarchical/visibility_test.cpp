@@ -149,6 +149,34 @@ TEST_F(VisibilityTest, ALightsVoxelsBlockWhatTheCameraDoesNotSee) {
                      1.9, 0.22, 1.5);
 }
 
+// The sun shines over a block onto a glowing floor, and the block's far side, of which it sees the
+// back, receives what it shows. Nothing is between, down to where the two meet.
+TEST_F(VisibilityTest, ASideThatTheLightSeesTheBackOfKeepsItsLight) {
+  settings_.sources = Settings::Sources::lights;
+  settings_.light_view_px = 256;
+  settings_.voxel_slices = Settings::VoxelSlices::of_128;
+  settings_.samples = 128;
+  Room r{{kFloor, {{-2.4f, 0, -2.9f}, {-0.9f, 1.2f, 2.9f}}}, {}};
+  r.boxes[0].radiance = 1;
+  const glm::dmat3 left(0, 0, -1, -0.3, std::sqrt(0.91), 0, std::sqrt(0.91), 0.3, 0);
+  r.g = cast_g_buffer(scene_of(r.boxes), {192, 128}, 0.9, {2.4, 1.6, 0}, left);
+  const PunctualLight sun{.kind = PunctualLight::Kind::directional, .direction = {0.6f, -0.8f, 0}};
+  const Light open = light_of(r, Settings::Visibility::none, {sun});
+  const Light tested = light_of(r, Settings::Visibility::first_bounce, {sun});
+  double sum[2] = {}, count = 0;
+  for (size_t i = 0; i < open.size(); ++i) {
+    const glm::dvec4 p =
+        glm::inverse(glm::dmat4(view_matrix(r.g))) * glm::dvec4(r.g.position_view[i], 1);
+    if (r.g.depth[i] == 0 || std::abs(p.x + 0.9) > 1e-3 || p.y > 0.4 || std::abs(p.z) > 1) continue;
+    sum[0] += open[i].x;
+    sum[1] += tested[i].x;
+    ++count;
+  }
+  EXPECT_GT(count, 200);
+  EXPECT_GT(sum[0] / count, 1e-2);
+  EXPECT_NEAR(sum[1] / sum[0], 1.0, 0.05);
+}
+
 // Before a glowing wall most samples have a ray to march, of many steps. A CPU would cut the loops
 // of a thread short, and with them light, if it took more than one pixel.
 TEST_F(VisibilityTest, ManyStepsLoseNoLight) {
