@@ -174,14 +174,20 @@ void Recorder::dispatch(const std::string& pass, const Dispatch& info) {
   const VkDescriptorSet set =
       bind_resources(pass, pipeline, info.read, info.write, info.params, barriers);
   if (failed()) return;
+  if (info.groups.valid()) use_buffer(barriers, info.groups, gpu::Use::dispatch_arguments);
 
   begin_pass(pass, barriers);
   commands_->bind(pipeline, 0, set);
   if (by_push)
     commands_->push(pipeline, info.params.data, static_cast<uint32_t>(info.params.bytes));
   const uint32_t* group = pipeline.interface.workgroup_size;
-  commands_->dispatch(pipeline, divide_up(info.over.width, group[0]),
-                      divide_up(info.over.height, group[1]), 1);
+  if (info.groups.valid()) {
+    const FrameBuffer& groups = frame_buffers_[info.groups.index];
+    commands_->dispatch_indirect(pipeline, groups.buffer, groups.offset);
+  } else {
+    commands_->dispatch(pipeline, divide_up(info.over.width, group[0]),
+                        divide_up(info.over.height, group[1]), 1);
+  }
   end_pass();
 
   for (const Bound& bound : info.write)

@@ -63,6 +63,8 @@ struct Dispatch {
   std::vector<Bound> read{};
   std::vector<Bound> write{};
   Extent over{};  // threads; workgroups are rounded up, so the shader checks its bounds
+  // Instead of `over`: how many workgroups in x, y and z, three uint32 that earlier passes wrote.
+  BufferRef groups{};
 };
 
 struct DrawTarget {

@@ -278,6 +278,33 @@ TEST_F(RecorderTest, BuffersOfAnySizePassThrough) {
     ASSERT_EQ(doubled.samples[i], static_cast<float>(2 * i));  // below 2^24: exact
 }
 
+// Two by two workgroups, of eight by eight threads, by what a pass before has written: half of the
+// image. Synchronization validation watches.
+TEST_F(RecorderTest, EarlierPassesSayHowManyWorkgroupsRun) {
+  constexpr Extent kWide{32, 16};
+  run([&](Frame&) {
+    const BufferRef groups = recorder().buffer("groups", 3 * sizeof(uint32_t));
+    recorder().dispatch("test.groups",
+                        {.shader = shaders::frame_test_shaders_double_comp,
+                         .read = {{"numbers", recorder().upload(std::vector<uint32_t>{1, 1, 1})}},
+                         .write = {{"doubled", groups}},
+                         .over = {3, 1}});
+    const Image from = constant("from", kWide, 1.0f);
+    const Image to = recorder().image("to", kWide, Format::rgba32f);
+    copy("test.all", from, to);
+    recorder().dispatch("test.some", {.shader = shaders::frame_test_shaders_copy_comp,
+                                      .params = CopyParams{as_ivec2(kWide), 4.0f},
+                                      .read = {{"from", from}},
+                                      .write = {{"to", to}},
+                                      .groups = groups});
+    recorder().read_back("to", to);
+  });
+  const Pixels to = pixels("to");
+  ASSERT_EQ(to.samples.size(), size_t{kWide.width} * kWide.height * 4);
+  for (size_t i = 0; i < to.samples.size(); ++i)
+    ASSERT_EQ(to.samples[i], i / 4 % kWide.width < 16 ? 5.0f : 1.0f) << i;
+}
+
 // An engine's image: cleared by the engine, added to by a pass of ours, and used by the engine
 // again in the same command buffer. Synchronization validation watches.
 class ImportTest : public RecorderTest, public testing::WithParamInterface<VkImageLayout> {};

@@ -16,6 +16,9 @@ UseInfo info(Use use) {
     case Use::compute_storage_write:
       return {kCompute, VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
               VK_IMAGE_LAYOUT_GENERAL, true};
+    case Use::dispatch_arguments:
+      return {VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT, VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT,
+              VK_IMAGE_LAYOUT_UNDEFINED, false};
     case Use::graphics_sampled:
       return {kGraphics, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
               VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, false};

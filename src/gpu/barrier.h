@@ -14,6 +14,7 @@ enum class Use : uint8_t {
   compute_sampled,        // sampler in a compute shader
   compute_storage_read,   // readonly image or buffer in a compute shader
   compute_storage_write,  // image or buffer that a compute shader writes, and may read
+  dispatch_arguments,     // buffer with the numbers of workgroups
   graphics_sampled,       // sampler in a vertex or fragment shader
   graphics_buffer_read,   // readonly buffer in a vertex or fragment shader
   color_attachment,

@@ -86,6 +86,11 @@ void CommandList::dispatch(const Pipeline& pipeline, uint32_t groups_x, uint32_t
   vkCmdDispatch(handle_, groups_x, groups_y, groups_z);
 }
 
+void CommandList::dispatch_indirect(const Pipeline& pipeline, VkBuffer groups, uint64_t offset) {
+  vkCmdBindPipeline(handle_, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline.handle);
+  vkCmdDispatchIndirect(handle_, groups, offset);
+}
+
 void CommandList::begin_rendering(Extent extent, std::span<const ColorTarget> colors,
                                   const DepthTarget& depth) {
   std::vector<VkRenderingAttachmentInfo> color_attachments;

@@ -57,6 +57,8 @@ class CommandList {
   void bind(const Pipeline& pipeline, uint32_t set, VkDescriptorSet descriptors);
   void push(const Pipeline& pipeline, const void* data, uint32_t bytes);
   void dispatch(const Pipeline& pipeline, uint32_t groups_x, uint32_t groups_y, uint32_t groups_z);
+  // With the numbers of workgroups from a VkDispatchIndirectCommand.
+  void dispatch_indirect(const Pipeline& pipeline, VkBuffer groups, uint64_t offset);
 
   void begin_rendering(Extent extent, std::span<const ColorTarget> colors,
                        const DepthTarget& depth);
