@@ -36,11 +36,13 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 constexpr Golden kGoldens[] = {
     {"cornell_direct", "cornell", nullptr, "composed"},
     {"cornell_hierarchical", "cornell", "hierarchical", "composed"},
+    {"cornell_indirect_lights", "cornell", "indirect_lights", "composed"},
     {"spot_floor_direct", "spot-floor", nullptr, "composed"},
     {"spot_floor_hierarchical", "spot-floor", "hierarchical", "composed"},
     {"atrium_direct", "atrium:triangles=20000", nullptr, "composed"},
     {"atrium_hierarchical", "atrium:triangles=20000", "hierarchical", "composed"},
     {"atrium_hierarchical_indirect", "atrium:triangles=20000", "hierarchical", "indirect", 3},
+    {"atrium_indirect_lights", "atrium:triangles=20000", "indirect_lights", "composed"},
 };
 
 bool updating() {

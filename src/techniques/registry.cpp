@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of techniques: one line each.
 #include "lueur/hierarchical.h"
+#include "lueur/indirect_lights.h"
 #include "techniques/hierarchical/presets.h"
 
 namespace lueur {
@@ -15,6 +16,8 @@ const TechniqueInfo kTechniques[] = {
     {"hierarchical", "Rings of samples in a pyramid of the camera's own G-buffer.",
      "Soler, Hoel, Rochet, Holzschuch 2009, INRIA RR-7162", Hierarchical::settings_table(),
      make<Hierarchical>, hierarchical_presets()},
+    {"indirect_lights", "Patches that the lights shine on as lights, and negative ones.",
+     "Cochran, Steele 2007, ACMSE", IndirectLights::settings_table(), make<IndirectLights>},
 };
 
 }  // namespace

@@ -102,4 +102,17 @@ CpuGBuffer cast_g_buffer(const CpuScene& scene, Extent extent, double vertical_f
   return g;
 }
 
+glm::dmat4 world_from_view(const View& view) {
+  return glm::inverse(glm::dmat4(glm::make_mat4(view.view_from_world.data())));
+}
+
+CpuGBuffer seen_through(const CpuScene& scene, const View& view, Extent extent) {
+  const glm::dmat4 m = world_from_view(view);
+  const double fov = 2 * std::atan(1 / std::abs(double{view.clip_from_view[5]}));
+  CpuGBuffer g = cast_g_buffer(scene, extent, fov, glm::dvec3(m[3]), glm::dmat3(m));
+  for (float& d : g.depth) d *= view.clip_from_view[14] / g.view.clip_from_view[14];
+  g.view = view;
+  return g;
+}
+
 }  // namespace lueur

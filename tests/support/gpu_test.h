@@ -68,4 +68,8 @@ using CpuScene =
 CpuGBuffer cast_g_buffer(const CpuScene& scene, Extent extent, double vertical_fov_rad,
                          const glm::dvec3& eye, const glm::dmat3& turn = glm::dmat3(1.0));
 
+glm::dmat4 world_from_view(const View& view);
+// What a view with a symmetric frustum sees of a scene.
+CpuGBuffer seen_through(const CpuScene& scene, const View& view, Extent extent);
+
 }  // namespace lueur

@@ -86,19 +86,6 @@ std::optional<CpuHit> white_sphere(const glm::dvec3&, const glm::dvec3& d) {
   return CpuHit{2.0 * n, -n, glm::dvec3(1.0)};
 }
 
-glm::dmat4 world_from_view(const View& view) {
-  return glm::inverse(glm::dmat4(glm::make_mat4(view.view_from_world.data())));
-}
-
-CpuGBuffer seen_through(const CpuScene& scene, const View& view, Extent extent) {
-  const glm::dmat4 m = world_from_view(view);
-  const double fov = 2 * std::atan(1 / std::abs(double{view.clip_from_view[5]}));
-  CpuGBuffer g = cast_g_buffer(scene, extent, fov, glm::dvec3(m[3]), glm::dmat3(m));
-  for (float& d : g.depth) d *= view.clip_from_view[14] / g.view.clip_from_view[14];
-  g.view = view;
-  return g;
-}
-
 double relative_rmse(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& truth) {
   double error = 0, power = 0;
   for (size_t i = 0; i < truth.size(); ++i) {

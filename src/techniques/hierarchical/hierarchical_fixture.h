@@ -38,10 +38,6 @@ std::optional<CpuHit> striped_sphere(const glm::dvec3& origin, const glm::dvec3&
 // The inside of a sphere of radiance 1, seen from its centre.
 std::optional<CpuHit> white_sphere(const glm::dvec3& origin, const glm::dvec3& direction);
 
-glm::dmat4 world_from_view(const View& view);
-// What a view with a symmetric frustum sees of a scene.
-CpuGBuffer seen_through(const CpuScene& scene, const View& view, Extent extent);
-
 double relative_rmse(const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& truth);
 
 }  // namespace lueur
