@@ -169,10 +169,31 @@ TEST_F(CliCompare, PaperOfTheDeferredPipeline) {
     EXPECT_LT(starts[first + 1][1].get<double>(), starts[first][1].get<double>());
 }
 
+TEST_F(CliCompare, PaperOfLightsHasItsTables) {
+  const Ended ended = run(
+      {"paper", "sol", "--size", "96x72", "--picture-size", "128x96", "--frames", "1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json printed = Json::parse(ended.out);
+  ASSERT_EQ(printed["sections"].size(), 3u);
+  EXPECT_EQ(rows_of(printed["sections"][0]).size(), 6u);
+  // Low shares as asked for, and the fewer, the less is off.
+  const std::vector<Json> shares = rows_of(printed["sections"][1]);
+  ASSERT_EQ(shares.size(), 4u);
+  EXPECT_GT(shares[0][2].get<double>(), 0.99);
+  EXPECT_NEAR(shares[1][2].get<double>(), 0.875, 0.05);
+  EXPECT_EQ(shares[3][2].get<double>(), 0.0);
+  EXPECT_GT(shares[0][4].get<double>(), shares[1][4].get<double>());
+  EXPECT_EQ(shares[3][4].get<double>(), 0.0);
+  // With negative lights it is nearer to the sum with shadow rays.
+  for (const Json& row : rows_of(printed["sections"][2]))
+    EXPECT_LT(row[2].get<double>(), row[1].get<double>()) << row[0];
+}
+
 TEST_F(CliCompare, PaperUsageErrors) {
   expect_error(2, {"paper"}, "NAME");
   expect_error(2, {"paper", "siggraph"}, "fdp");
   expect_error(2, {"paper", "hssil", "--figures", "9"}, "4, 5, 6");
+  expect_error(2, {"paper", "sol", "--figures", "9"}, "1, 2, 5");
   expect_error(2, {"paper", "fdp", "--figures", "2,5"}, "2, 3, 6, 7, 9, 10");
   expect_error(2, {"paper", "hssil", "--frames", "0"}, "--frames");
   expect_error(2, {"paper", "hssil", "--size", "8"}, "--size");

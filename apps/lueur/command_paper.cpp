@@ -102,6 +102,9 @@ constexpr char kPaperFooter[] =
     "hssil: figure 4 (what each level contributes, spot-floor), 5 (point to point and point to\n"
     "disc form factor beside the truth, with a slice, cornell) and 6 with 7 (what settings and\n"
     "levels cost, atrium).\n"
+    "sol: 1 (table 1: what lights cost), 2 (table 2 with figures 4 and 7: low resolution first) "
+    "and\n"
+    "5 (figures 5 and 6: negative lights), floating-object.\n"
     "\n"
     "Examples:\n"
     "  lueur paper hssil -o out/hssil\n"
@@ -116,7 +119,9 @@ void add_paper(CLI::App& program, Outcome& outcome) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     command->add_option(flag, value, help)->type_name(type);
   };
-  command->add_option("NAME", options->name, "The paper: fdp or hssil")->type_name("")->required();
+  command->add_option("NAME", options->name, "The paper: fdp, hssil or sol")
+      ->type_name("")
+      ->required();
   add("-o,--output", options->folder, "Folder of the page, made if it is missing", "FOLDER");
   add("--figures", options->figures, "Such as 4,6 (default: all)", "N,N...");
   add("--size", options->size, "Of tables of times (default 1280x720)", "WxH");

@@ -90,6 +90,9 @@ constexpr char kReferenceFooter[] =
     "  screen             the same, and only diffuse, off surfaces that the camera sees\n"
     "  screen-unoccluded  the sum over all pixels without visibility, HSSIL (4) or (3); --spp is\n"
     "                     how many pixels are summed, 0 is all of them\n"
+    "  lights             the sum over patches that --spp rays of the lights shine on, by shadow\n"
+    "                     rays, SOL 3.2 with 3.3's I_c\n"
+    "  lights-unoccluded  the same through everything, I_s\n"
     "  ambient            ambient occlusion within --distance metres\n"
     "\n"
     "EXR holds 32-bit floats: the picture, direct, indirect (E/pi before albedo),\n"
@@ -120,7 +123,7 @@ void add_options(CLI::App* command, const std::shared_ptr<ReferenceOptions>& opt
   add("--error", options->error, "Stop at this estimated relative error", "SHARE");
   add("--time", options->time_s, "Seconds into the animation (default 0)", "SECONDS");
   add("--distance", options->distance_m, "Reach of ambient, in metres (default 1)", "M");
-  add("--form-factor", options->form_factor, "Of screen-unoccluded: disc or point", "KIND");
+  add("--form-factor", options->form_factor, "Of the sums: disc or point", "KIND");
   add("--threads", options->threads, "0: as many as the machine has (default)", "N");
   add("--exposure", options->exposure, "Of a PNG: stops to add, or auto", "EV|auto");
   add("--tone-map", options->tone_map, "Of a PNG, see `lueur render`", "CURVE");

@@ -25,6 +25,12 @@ constexpr PaperFigure kFdpFigures[] = {
     {"10", "Figure 10: fewer pixels or fewer samples", fdp::starts},
 };
 
+constexpr PaperFigure kSolFigures[] = {
+    {"1", "Table 1: what lights cost", sol::light_costs},
+    {"2", "Table 2, figures 4 and 7: low resolution first", sol::low_resolution},
+    {"5", "Figures 5 and 6: what negative lights take away", sol::negative_lights},
+};
+
 constexpr Paper kPapers[] = {
     {"fdp",
      "A Fast Deferred Shading Pipeline for Real Time Approximate Indirect Illumination (Soler, "
@@ -33,6 +39,7 @@ constexpr Paper kPapers[] = {
     {"hssil",
      "Hierarchical Screen-Space Indirect Illumination for Video Games (INRIA RR-7162, 2009)",
      kHssilFigures},
+    {"sol", "Second-Order Illumination in Real-Time (Cochran, Steele 2007)", kSolFigures},
 };
 
 }  // namespace

@@ -67,6 +67,16 @@ Result<report::FigureSection> costs(Session& session, const PaperSetup& setup);
 Result<report::FigureSection> starts(Session& session, const PaperSetup& setup);
 }  // namespace fdp
 
+// SOL: Cochran, Steele, ACMSE 2007.
+namespace sol {
+// Table 1: what lights cost.
+Result<report::FigureSection> light_costs(Session& session, const PaperSetup& setup);
+// Table 2 and figures 4 and 7: what is gained, and lost, by a low resolution.
+Result<report::FigureSection> low_resolution(Session& session, const PaperSetup& setup);
+// Figures 5 and 6: direct, indirect and negative light, without and with negative lights.
+Result<report::FigureSection> negative_lights(Session& session, const PaperSetup& setup);
+}  // namespace sol
+
 // `lueur paper`: which figures of which paper, and where to.
 struct PaperJob {
   const Paper* paper = nullptr;

@@ -12,11 +12,11 @@
 
 namespace lueur::cli {
 
-Result<CandidateRequest> hierarchical_request(const std::string& scene, Extent size,
-                                              std::vector<std::string> settings) {
-  LUEUR_TRY(technique, choose_technique("hierarchical", settings));
-  std::string label = technique.label;
-  return CandidateRequest{std::move(label), scene, size, std::move(technique), {}};
+Result<CandidateRequest> paper_request(const std::string& technique, const std::string& scene,
+                                       Extent size, std::vector<std::string> settings) {
+  LUEUR_TRY(chosen, choose_technique(technique, settings));
+  std::string label = chosen.label;
+  return CandidateRequest{std::move(label), scene, size, std::move(chosen), {}};
 }
 
 std::vector<std::string> paper_settings(std::initializer_list<std::string> more) {

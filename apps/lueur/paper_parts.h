@@ -14,9 +14,13 @@
 
 namespace lueur::cli {
 
-// What one candidate is made from: `hierarchical` with these settings.
-Result<CandidateRequest> hierarchical_request(const std::string& scene, Extent size,
-                                              std::vector<std::string> settings);
+// What one candidate is made from: a technique with these settings.
+Result<CandidateRequest> paper_request(const std::string& technique, const std::string& scene,
+                                       Extent size, std::vector<std::string> settings);
+inline Result<CandidateRequest> hierarchical_request(const std::string& scene, Extent size,
+                                                     std::vector<std::string> settings) {
+  return paper_request("hierarchical", scene, size, std::move(settings));
+}
 
 // What both papers' figures have in common, and then `more`: rings from 20 to 40 pixels (HSSIL
 // writes r = 20 and 2 r, FDP r = 40 and r / 2), and as many samples at each level.

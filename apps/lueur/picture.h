@@ -25,7 +25,8 @@ ImageF as_image(const Pixels& pixels, uint32_t channels);
 //   (main)      the composed picture, scene-referred
 //   direct      source + specular: what there is without a technique
 //   indirect    the technique's E/pi, before albedo, and
-//   off_screen  its alpha: for `hierarchical` the share of samples outside of the picture
+//   off_screen  its alpha: for `hierarchical` the share of samples outside of the picture; for
+//               `indirect_lights` 1 where a pixel was gathered for, 0 where it was interpolated
 //   indirect_specular  the technique's radiance through glossy lobes
 //   albedo      diffuse, linear
 //   normal      unit, world space; 0 where nothing is

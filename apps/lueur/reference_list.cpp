@@ -69,6 +69,8 @@ Result<std::vector<ChosenReference>> choose_references(std::string_view flag, st
     chosen.settings.mode = mode;
     // As many samples as a path takes say little of a picture's pixels: sum all of them.
     if (mode == reference::Mode::screen_unoccluded) chosen.settings.spp = 0;
+    if (mode == reference::Mode::lights || mode == reference::Mode::lights_unoccluded)
+      chosen.settings.spp = reference::kLights;
     for (size_t i = 1; i < parts.size(); ++i) {
       LUEUR_TRY(parsed, parse_assignment(where, parts[i]));
       LUEUR_TRY_VOID(set_reference(chosen.settings, where + ": ", parsed.key, parsed.value));

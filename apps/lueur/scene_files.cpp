@@ -10,6 +10,7 @@
 #include "base/try.h"
 #include "scene/builtin/builtin.h"
 #include "scene/scene_file.h"
+#include "session.h"
 
 namespace lueur::cli {
 namespace fs = std::filesystem;
@@ -18,12 +19,6 @@ namespace {
 bool is_scene_file(const fs::directory_entry& entry) {
   std::error_code error;
   return has_scene_ending(entry.path()) && entry.is_regular_file(error);
-}
-
-bool is_builtin(const std::string& name) {
-  const auto scenes = builtin_scenes();
-  return std::any_of(scenes.begin(), scenes.end(),
-                     [&](const BuiltinScene& scene) { return scene.name == name; });
 }
 
 // The folder's own name, also where it was typed as "." or with a slash at its end.

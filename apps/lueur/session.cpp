@@ -18,13 +18,6 @@ namespace {
 
 constexpr size_t kMostNamesInErrors = 24;
 
-bool is_builtin(const std::string& spec) {
-  const auto scenes = builtin_scenes();
-  const std::string name = spec.substr(0, spec.find(':'));
-  return std::any_of(scenes.begin(), scenes.end(),
-                     [&](const BuiltinScene& scene) { return scene.name == name; });
-}
-
 bool looks_like_file(const std::string& spec) {
   std::error_code error;
   return has_scene_ending(spec) || std::filesystem::exists(spec, error);
@@ -132,6 +125,13 @@ Image image_named(const RenderedImages& images, std::string_view name) {
 }
 
 }  // namespace
+
+bool is_builtin(const std::string& spec) {
+  const auto scenes = builtin_scenes();
+  const std::string name = spec.substr(0, spec.find(':'));
+  return std::any_of(scenes.begin(), scenes.end(),
+                     [&](const BuiltinScene& scene) { return scene.name == name; });
+}
 
 Result<LoadedScene> load_scene(const std::string& spec, const EnvironmentChoice& environment,
                                const LoadLimits& limits) {

@@ -22,6 +22,9 @@ struct LoadedScene {
   double load_ms = 0;
 };
 
+// Whether `spec` begins with the name of a built-in scene.
+bool is_builtin(const std::string& spec);
+
 // `spec` is the name of a built-in scene, with parameters or without, or a scene file: a path that
 // ends in one of kSceneFileEndings, or that exists. A built-in name wins over a file of that name.
 // Files get the camera and the light that they lack. A chosen environment takes the place of the

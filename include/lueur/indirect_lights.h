@@ -34,7 +34,7 @@ struct IndirectLightsSettings {
   LowResolution low_resolution = LowResolution::half;
   float discontinuity = 0.1f;
   bool bound = true;
-  int32_t light_view_px = 256;
+  int32_t light_view_px = 512;
   Placing placing = Placing::halton;
 };
 

@@ -116,6 +116,9 @@ Hash hash_of_rigid(const Scene& scene, const Shot& shot, const Settings& setting
   hash.add(std::array{static_cast<uint32_t>(settings.mode), settings.bounces, settings.seed,
                       static_cast<uint32_t>(settings.form_factor)});
   hash.add(settings.ambient_distance_m);
+  // How many lights there are says where each is.
+  if (settings.mode == Mode::lights || settings.mode == Mode::lights_unoccluded)
+    hash.add(settings.spp);
   // Only where there is one: other scenes keep their names.
   if (const auto& environment = scene.environment) {
     hash.add(std::array{environment->width, environment->height});

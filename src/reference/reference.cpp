@@ -13,6 +13,7 @@
 #include "reference/accumulator.h"
 #include "reference/content.h"
 #include "reference/light_paths.h"
+#include "reference/light_sum.h"
 #include "reference/screen_sum.h"
 
 namespace lueur::reference {
@@ -22,13 +23,21 @@ constexpr uint32_t kTilePx = 16;
 // Fewer say too little about their own spread to stop by it.
 constexpr uint32_t kLeastPassesForError = 4;
 
-constexpr std::array<ModeName, 4> kModeNames{{
+constexpr std::array<ModeName, 6> kModeNames{{
     {"path", Mode::path, "path tracing of the scene: the truth"},
     {"screen", Mode::screen, "the same off what the camera sees alone: the best from one view"},
     {"screen-unoccluded", Mode::screen_unoccluded,
      "the sum over all pixels, through everything: what a gather on the screen estimates"},
+    {"lights", Mode::lights, "the sum over what rays of the lights shine on, by shadow rays"},
+    {"lights-unoccluded", Mode::lights_unoccluded,
+     "the same through everything: what indirect lights estimate"},
     {"ambient", Mode::ambient, "ambient occlusion within a distance"},
 }};
+
+// Whether light is a finite sum, which no random numbers estimate.
+bool is_sum(Mode mode) {
+  return mode == Mode::screen_unoccluded || mode == Mode::lights || mode == Mode::lights_unoccluded;
+}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -80,8 +89,8 @@ class Job {
   Accumulator sums_;
   GBufferLayers g_buffer_;
   std::optional<ImageF> background_;  // where there is an environment; black before surfaces
-  std::optional<ScreenSum> screen_sum_;
-  std::vector<std::optional<FirstHit>> hits_;  // screen_unoccluded only
+  std::unique_ptr<PassSum> sum_;      // of modes that are finite sums
+  std::vector<std::optional<FirstHit>> hits_;  // for it
   std::vector<PathSample> means_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::atomic<uint64_t> rays_ = 0;
@@ -117,7 +126,7 @@ bool Job::for_each_pixel(const std::function<void(uint32_t x, uint32_t y, uint64
 
 // Everything that needs no random numbers.
 void Job::see() {
-  const bool keep = settings_.mode == Mode::screen_unoccluded;
+  const bool keep = is_sum(settings_.mode);
   if (keep) hits_.resize(means_.size());
   const Scene& scene = world_.scene();
   std::optional<Backdrop> backdrop;
@@ -139,26 +148,29 @@ void Job::see() {
         if (keep) hits_[size_t{y} * shot_.width + x] = hit;
       },
       false);
-  if (keep) screen_sum_.emplace(hits_, g_buffer_.source, camera_, settings_);
+  if (settings_.mode == Mode::screen_unoccluded)
+    sum_ = std::make_unique<ScreenSum>(hits_, g_buffer_.source, camera_, settings_);
+  else if (keep)
+    sum_ = std::make_unique<LightSum>(world_, shot_, settings_);
 }
 
 uint32_t Job::passes_wanted() const {
-  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kSamplesPerPass;
+  const uint32_t per_pass = sum_ ? sum_->items_per_pass() : kSamplesPerPass;
   const uint32_t wanted = (settings_.spp + per_pass - 1) / per_pass;
-  if (!screen_sum_) return std::max(wanted, 1u);
-  return wanted == 0 ? screen_sum_->passes() : std::min(wanted, screen_sum_->passes());
+  if (!sum_) return std::max(wanted, 1u);
+  return wanted == 0 ? sum_->passes() : std::min(wanted, sum_->passes());
 }
 
 // Adds one pass to the sums, unless it is stopped.
 bool Job::trace_pass() {
   const uint32_t pass = sums_.passes();
-  if (screen_sum_) screen_sum_->begin_pass(pass);
+  if (sum_) sum_->begin_pass(pass);
   const bool whole = for_each_pixel(
       [&](uint32_t x, uint32_t y, uint64_t& rays) {
         const size_t i = size_t{y} * shot_.width + x;
         means_[i] = {};
-        if (screen_sum_) {
-          if (hits_[i]) means_[i].diffuse = screen_sum_->at(*hits_[i]);
+        if (sum_) {
+          if (hits_[i]) means_[i].diffuse = sum_->at(*hits_[i], rays);
           return;
         }
         ++rays;
@@ -179,7 +191,7 @@ bool Job::trace_pass() {
 }
 
 void Job::report() {
-  const uint32_t per_pass = screen_sum_ ? ScreenSum::kPixelsPerPass : kSamplesPerPass;
+  const uint32_t per_pass = sum_ ? sum_->items_per_pass() : kSamplesPerPass;
   progress_.spp_done = sums_.passes() * per_pass;
   progress_.spp_total = passes_wanted() * per_pass;
   progress_.relative_error = sums_.relative_error();
@@ -221,7 +233,7 @@ std::vector<ImageLayer> Job::layers() const {
     layers.push_back({"direct", std::move(direct)});
     layers.push_back({"indirect", indirect});
     if (settings_.mode == Mode::path) layers.push_back({"indirect_specular", indirect_specular});
-    if (settings_.mode != Mode::screen_unoccluded) layers.push_back({"variance", sums_.variance()});
+    if (!is_sum(settings_.mode)) layers.push_back({"variance", sums_.variance()});
   }
   layers.push_back({"albedo", g_buffer_.albedo});
   layers.push_back({"normal", g_buffer_.normal});

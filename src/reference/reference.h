@@ -26,6 +26,12 @@
 //   screen_unoccluded   no rays: the sum over all pixels j of HSSIL (4), or (3), with visibility 1:
 //                       diffuse = sum of L_j F(x, j)
 //                       Neither of these two gets light of the environment: a G-buffer has none.
+//   lights              SOL 3.2 (Cochran, Steele 2007): `spp` rays share out the flux of the
+//                       punctual lights; where they arrive are patches of area A = Omega d^2 /
+//                       cos(theta_i), whose diffuse reflection L is summed where no shadow ray is
+//                       blocked:  diffuse = sum of L A cos(theta') cos(theta) / (pi (r^2 + A/pi)
+//                       r^2)
+//   lights_unoccluded   the same through everything
 //   ambient             no light: occlusion(x), the cosine-weighted share of directions that are
 //                       free for `ambient_distance_m`, 1 = open
 #pragma once
@@ -43,7 +49,7 @@
 
 namespace lueur::reference {
 
-enum class Mode : uint8_t { path, screen, screen_unoccluded, ambient };
+enum class Mode : uint8_t { path, screen, screen_unoccluded, ambient, lights, lights_unoccluded };
 
 struct ModeName {
   std::string_view name;  // as on the command line
@@ -56,6 +62,7 @@ std::string_view name_of(Mode mode);
 enum class FormFactor : uint8_t { disc, point };  // HSSIL (4) and (3)
 
 inline constexpr uint32_t kMaxBounces = 64;
+inline constexpr uint32_t kLights = 300;  // rays of `lights` in lists that do not say more
 inline constexpr uint32_t kMaxSpp = 1u << 20;
 // A pass is what a rendering can stop after. Few samples, to stop soon; enough that looking at the
 // first surface anew in each costs little.
@@ -66,13 +73,14 @@ struct Settings {
   uint32_t bounces = 1;  // path, screen: 1 … kMaxBounces surfaces between a light and x
   // Samples a pixel takes, rounded up to whole passes of kSamplesPerPass. Of screen_unoccluded:
   // pixels that are summed, drawn evenly from those that have light; 0, or more than there are, is
-  // every one.
+  // every one. Of lights: how many rays they send.
   uint32_t spp = 256;
   // Above 0: stop before `spp` once the estimated relative error is at most this; see Progress.
   double target_error = 0;
   uint32_t seed = 0;
-  float ambient_distance_m = 1.0f;            // ambient
-  FormFactor form_factor = FormFactor::disc;  // screen_unoccluded
+  float ambient_distance_m = 1.0f;  // ambient
+  // screen_unoccluded; of lights, `point` leaves A/pi beside r^2 away.
+  FormFactor form_factor = FormFactor::disc;
 };
 
 // What is looked at. `camera` is an index into Scene::cameras.
@@ -115,7 +123,7 @@ struct Rendering {
   //   ""         the picture: source + direct specular + albedo * indirect + indirect_specular;
   //              the environment where there is no surface
   //   direct     source + direct specular
-  //   indirect   `diffuse` above                       (path, screen, screen_unoccluded)
+  //   indirect   `diffuse` above                       (all but ambient)
   //   indirect_specular  `specular` above              (path)
   //   occlusion  one channel; there are no "" and indirect then       (ambient)
   //   variance   of the mean of a pixel's `diffuse`, a channel each   (path, screen, ambient)

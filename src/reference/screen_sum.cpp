@@ -80,7 +80,7 @@ glm::vec3 ScreenSum::sum(const Chosen& chosen, const FirstHit& receiver, Factor 
   return total;
 }
 
-glm::vec3 ScreenSum::at(const FirstHit& receiver) const {
+glm::vec3 ScreenSum::at(const FirstHit& receiver, uint64_t&) const {
   const auto scale = static_cast<float>(passes_);
   if (form_factor_ == FormFactor::disc)
     return scale * sum(chosen_, receiver, [](auto... of) { return disc_form_factor(of...); });

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "reference/camera.h"
-#include "reference/first_hits.h"
+#include "reference/pass_sum.h"
 #include "reference/reference.h"
 
 namespace lueur::reference {
 
-class ScreenSum {
+class ScreenSum final : public PassSum {
  public:
   // Pixels that one pass sums up.
   static constexpr uint32_t kPixelsPerPass = 256;
@@ -20,12 +20,10 @@ class ScreenSum {
   ScreenSum(const std::vector<std::optional<FirstHit>>& hits, const ImageF& source,
             const PinholeCamera& camera, const Settings& settings);
 
-  // Passes after which every pixel with light was summed once.
-  uint32_t passes() const { return passes_; }
-  // Chooses the pixels of pass `pass`. They lie evenly over the picture, and a row of passes does.
-  void begin_pass(uint32_t pass);
-  // diffuse, estimated from the pixels of this pass; the mean over all passes is the whole sum.
-  glm::vec3 at(const FirstHit& receiver) const;
+  uint32_t items_per_pass() const override { return kPixelsPerPass; }
+  uint32_t passes() const override { return passes_; }  // of the pixels that have light
+  void begin_pass(uint32_t pass) override;
+  glm::vec3 at(const FirstHit& receiver, uint64_t& rays) const override;
 
  private:
   // A source pixel: place, normal, area over pi, radiance.

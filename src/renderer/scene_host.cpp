@@ -16,29 +16,6 @@ std::array<float, 3> array_of(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
-PunctualLight::Kind kind_of(LightKind kind) {
-  switch (kind) {
-    case LightKind::point:
-      return PunctualLight::Kind::point;
-    case LightKind::spot:
-      return PunctualLight::Kind::spot;
-    case LightKind::directional:
-      return PunctualLight::Kind::directional;
-  }
-  return PunctualLight::Kind::point;
-}
-
-PunctualLight in_world(const Light& light, const glm::mat4& world_from_node) {
-  const PlacedLight placed = place(light, world_from_node);
-  return {.kind = kind_of(placed.kind),
-          .position = array_of(placed.position_world),
-          .direction = array_of(placed.direction_world),
-          .intensity = array_of(placed.intensity),
-          .inner_cone_rad = placed.inner_cone_rad,
-          .outer_cone_rad = placed.outer_cone_rad,
-          .range_m = light.range_m};
-}
-
 constexpr uint32_t floats(size_t bytes) {
   return static_cast<uint32_t>(bytes / sizeof(float));
 }
@@ -91,7 +68,7 @@ SceneHost::SceneHost(FrameScene& frame_scene, const Scene& scene,
                      const std::vector<glm::mat4>& world_from_node, const Bounds& box)
     : scene_(frame_scene), bounds_{array_of(box.min), array_of(box.max)} {
   for (const Light& light : scene.lights)
-    lights_.push_back(in_world(light, world_from_node[static_cast<size_t>(light.node)]));
+    lights_.push_back(as_punctual(place(light, world_from_node[static_cast<size_t>(light.node)])));
 }
 
 GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent, int32_t light) {

@@ -189,7 +189,7 @@ TEST_F(SceneHostTest, LightsAreWhereTheirNodesPutThem) {
     EXPECT_EQ(lights[1].kind, PunctualLight::Kind::spot);
     EXPECT_EQ(lights[2].kind, PunctualLight::Kind::directional);
     EXPECT_EQ(glm::make_vec3(lights[0].intensity.data()), 6.0f * scene.lights[0].color);
-    EXPECT_EQ(lights[0].range_m, 7.0f);
+    EXPECT_FLOAT_EQ(lights[0].range_m, 7.0f);
     EXPECT_FLOAT_EQ(lights[1].inner_cone_rad, 0.3f);
     EXPECT_FLOAT_EQ(lights[1].outer_cone_rad, 0.7854f);
     EXPECT_FLOAT_EQ(lights[1].position[0], 1.0f);

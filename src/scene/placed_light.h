@@ -2,6 +2,7 @@
 // A light where its node puts it, ready for the formulas of shading/punctual_light.h.
 #pragma once
 
+#include "lueur/host.h"
 #include "scene/scene.h"
 
 namespace lueur {
@@ -21,5 +22,8 @@ struct PlacedLight {
 
 // Cones are at least 0.01 rad and less than pi / 2 wide, as the extension asks for.
 PlacedLight place(const Light& light, const glm::mat4& world_from_node);
+
+// The same as techniques have it.
+PunctualLight as_punctual(const PlacedLight& light);
 
 }  // namespace lueur

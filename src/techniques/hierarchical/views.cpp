@@ -2,10 +2,10 @@
 // Sources that other views see. Beyond the papers: receivers and sources need not be of one view.
 #include <cmath>
 
+#include "lights/light_views.h"
 #include "techniques/hierarchical/equations.h"
 #include "techniques/hierarchical/hierarchical_frame.h"
 #include "techniques/hierarchical/shaders.h"
-#include "techniques/light_views.h"
 
 namespace lueur::hierarchical {
 namespace {

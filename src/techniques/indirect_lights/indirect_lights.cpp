@@ -5,16 +5,15 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "frame/recorder.h"
+#include "lights/light_rays.h"
+#include "lights/light_views.h"
 #include "techniques/indirect_lights/params.h"
-#include "techniques/indirect_lights/placing.h"
 #include "techniques/indirect_lights/shaders.h"
-#include "techniques/light_views.h"
 #include "techniques/screen_of_view.h"
 
 namespace lueur {
 namespace {
 
-using namespace indirect_lights;
 using Settings = IndirectLightsSettings;
 
 constexpr std::string_view kLowResolutionNames[] = {"none", "half", "quarter"};
@@ -121,12 +120,12 @@ void IndirectLightsFrame::place_lights() {
   const uint32_t seed = settings_.placing == Settings::Placing::random ? inputs_.seed + 1 : 0;
   uint32_t slot = 0;
   for (size_t i = 0; i < lights.size() && !frame_.failed(); ++i) {
-    const std::vector<Ray> rays = rays_of_light(lights[i], bounds, shares[i], seed);
+    const std::vector<LightRay> rays = rays_of_light(lights[i], bounds, shares[i], seed);
     std::vector<bool> taken(rays.size());
     for (const View& view : views_of_light(lights[i], bounds)) {
       std::vector<PlacedRay> placed;
       const auto side_px = static_cast<uint32_t>(settings_.light_view_px);
-      for (const SeenRay& ray : rays_in_view(rays, view, side_px, taken))
+      for (const SeenLightRay& ray : rays_in_view(rays, view, side_px, taken))
         placed.push_back({ray.at_px, ray.solid_angle_sr, slot++});
       if (!placed.empty()) place(view, static_cast<int32_t>(i), std::move(placed));
     }

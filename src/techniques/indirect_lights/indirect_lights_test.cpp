@@ -4,9 +4,9 @@
 
 #include <cmath>
 
+#include "lights/light_rays.h"
+#include "lights/light_views.h"
 #include "support/gpu_test.h"
-#include "techniques/indirect_lights/placing.h"
-#include "techniques/light_views.h"
 
 namespace lueur {
 namespace {
@@ -68,16 +68,15 @@ struct ExactLight {
 
 std::vector<ExactLight> exact_lights(const LitHost& host, uint32_t count) {
   std::vector<ExactLight> exact;
-  const std::vector<uint32_t> shares =
-      indirect_lights::shares_of_lights(host.lights(), host.bounds(), count);
+  const std::vector<uint32_t> shares = shares_of_lights(host.lights(), host.bounds(), count);
   for (size_t i = 0; i < host.lights().size(); ++i) {
     const PunctualLight& light = host.lights()[i];
-    const auto rays = indirect_lights::rays_of_light(light, host.bounds(), shares[i]);
+    const auto rays = rays_of_light(light, host.bounds(), shares[i]);
     std::vector<bool> taken(rays.size());
     for (const View& view : views_of_light(light, host.bounds())) {
       const glm::dmat4 to_world = world_from_view(view);
       const glm::dvec3 eye(to_world[3]);
-      for (const auto& ray : indirect_lights::rays_in_view(rays, view, kViewPx, taken)) {
+      for (const auto& ray : rays_in_view(rays, view, kViewPx, taken)) {
         // Through the middle of the pixel.
         const glm::dvec2 clip =
             2.0 * (glm::floor(glm::dvec2(ray.at_px)) + 0.5) / double{kViewPx} - 1.0;

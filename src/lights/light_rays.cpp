@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/indirect_lights/placing.h"
+#include "lights/light_rays.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 #include <numeric>
 #include <random>
 
+#include "lights/light_views.h"
 #include "shading/halton.h"
-#include "techniques/light_views.h"
 
-namespace lueur::indirect_lights {
+namespace lueur {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -49,15 +49,16 @@ glm::dvec3 on_sphere(const glm::dvec2& point) {
   return {std::sin(phi) * cosine, std::cos(phi) * cosine, sine};
 }
 
-std::vector<Ray> rays_in_cone(const glm::dvec3& axis, double cos_angle, uint32_t count,
-                              Points points) {
-  std::vector<Ray> rays;
+std::vector<LightRay> rays_in_cone(const glm::vec3& origin, const glm::dvec3& axis,
+                                   double cos_angle, uint32_t count, Points points) {
+  std::vector<LightRay> rays;
   for (uint64_t i = 0; i < kMostTries && rays.size() < count; ++i) {
     const glm::dvec3 direction = on_sphere(points.next());
-    if (glm::dot(direction, axis) >= cos_angle) rays.push_back({glm::vec3(direction), 0.0f});
+    if (glm::dot(direction, axis) >= cos_angle)
+      rays.push_back({origin, glm::vec3(direction), 0.0f});
   }
   const double solid_angle_sr = 2.0 * kPi * (1.0 - cos_angle);
-  for (Ray& ray : rays)
+  for (LightRay& ray : rays)
     ray.solid_angle_sr = static_cast<float>(solid_angle_sr / static_cast<double>(rays.size()));
   return rays;
 }
@@ -70,23 +71,26 @@ bool meets(const Box& box, const glm::dvec3& origin, const glm::dvec3& direction
 }
 
 // Those of the view's that meet the box.
-std::vector<Ray> rays_through(const View& view, const Box& box, uint32_t count, Points points) {
+std::vector<LightRay> rays_through(const View& view, const Box& box, uint32_t count,
+                                   Points points) {
   const glm::dmat4 world_from_view =
       glm::inverse(glm::dmat4(glm::make_mat4(view.view_from_world.data())));
+  const glm::vec3 origin(world_from_view[3]);
   const double half_width = 1.0 / view.clip_from_view[0];
-  std::vector<Ray> rays;
+  std::vector<LightRay> rays;
   uint64_t tried = 0;
   for (; tried < kMostTries && rays.size() < count; ++tried) {
     const glm::dvec3 through((2.0 * points.next() - 1.0) * half_width, -1.0);
     const double length = glm::length(through);
     const glm::dvec3 direction = glm::dmat3(world_from_view) * through / length;
-    if (!meets(box, glm::dvec3(world_from_view[3]), direction)) continue;
+    if (!meets(box, glm::dvec3(origin), direction)) continue;
     // What a part of the view's plane is in solid angle, as yet.
-    rays.push_back({glm::vec3(direction), static_cast<float>(1.0 / (length * length * length))});
+    rays.push_back(
+        {origin, glm::vec3(direction), static_cast<float>(1.0 / (length * length * length))});
   }
   const double area =
       4.0 * half_width * half_width / static_cast<double>(std::max(tried, uint64_t{1}));
-  for (Ray& ray : rays) ray.solid_angle_sr *= static_cast<float>(area);
+  for (LightRay& ray : rays) ray.solid_angle_sr *= static_cast<float>(area);
   return rays;
 }
 
@@ -109,15 +113,16 @@ double flux(const PunctualLight& light, const Box& bounds) {
 
 }  // namespace
 
-std::vector<Ray> rays_of_light(const PunctualLight& light, const Box& bounds, uint32_t count,
-                               uint32_t seed) {
+std::vector<LightRay> rays_of_light(const PunctualLight& light, const Box& bounds, uint32_t count,
+                                    uint32_t seed) {
   if (count == 0) return {};
+  const glm::vec3 origin(as_dvec3(light.position));
   switch (light.kind) {
     case PunctualLight::Kind::point:
-      return rays_in_cone({0, 0, 1}, -1.0, count, Points(seed));
+      return rays_in_cone(origin, {0, 0, 1}, -1.0, count, Points(seed));
     case PunctualLight::Kind::spot:
-      return rays_in_cone(as_dvec3(light.direction), std::cos(double{light.outer_cone_rad}), count,
-                          Points(seed));
+      return rays_in_cone(origin, as_dvec3(light.direction), std::cos(double{light.outer_cone_rad}),
+                          count, Points(seed));
     case PunctualLight::Kind::directional:
       return rays_through(views_of_light(light, bounds).front(), bounds, count, Points(seed));
   }
@@ -145,10 +150,10 @@ std::vector<uint32_t> shares_of_lights(std::span<const PunctualLight> lights, co
   return shares;
 }
 
-std::vector<SeenRay> rays_in_view(std::span<const Ray> rays, const View& view, uint32_t extent_px,
-                                  std::vector<bool>& taken) {
+std::vector<SeenLightRay> rays_in_view(std::span<const LightRay> rays, const View& view,
+                                       uint32_t extent_px, std::vector<bool>& taken) {
   const glm::mat3 view_from_world(glm::make_mat4(view.view_from_world.data()));
-  std::vector<SeenRay> seen;
+  std::vector<SeenLightRay> seen;
   for (uint32_t i = 0; i < rays.size(); ++i) {
     const glm::vec3 d = view_from_world * rays[i].direction;
     if (taken[i] || d.z >= 0.0f) continue;
@@ -162,4 +167,4 @@ std::vector<SeenRay> rays_in_view(std::span<const Ray> rays, const View& view, u
   return seen;
 }
 
-}  // namespace lueur::indirect_lights
+}  // namespace lueur

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where a light's flux goes, in parts: SOL 3.1.
+// Where a light's flux goes, in equal parts: section 3.1 of "Second-Order Illumination in
+// Real-Time" (Cochran, Steele 2007).
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,11 +10,12 @@
 #include "lueur/host.h"
 #include "lueur/view.h"
 
-namespace lueur::indirect_lights {
+namespace lueur {
 
 // One part of a light: all of what it sends into this solid angle around a direction.
-struct Ray {
-  glm::vec3 direction;  // unit, world space
+struct LightRay {
+  glm::vec3 origin;     // world space: the light, or where the view of a directional one stands
+  glm::vec3 direction;  // unit
   float solid_angle_sr;
 };
 
@@ -24,8 +26,8 @@ struct Ray {
 //                  is behind them
 // A cone so narrow that few of the first million points are in it gets as many as there are. With a
 // seed other than 0 random points, as all independent ones, instead.
-std::vector<Ray> rays_of_light(const PunctualLight& light, const Box& bounds, uint32_t count,
-                               uint32_t seed = 0);
+std::vector<LightRay> rays_of_light(const PunctualLight& light, const Box& bounds, uint32_t count,
+                                    uint32_t seed = 0);
 
 // How many of `count` rays each light gets: in proportion to its flux, at least one where there is
 // any, as long as there are enough.
@@ -33,7 +35,7 @@ std::vector<uint32_t> shares_of_lights(std::span<const PunctualLight> lights, co
                                        uint32_t count);
 
 // A ray as one of the light's views sees it.
-struct SeenRay {
+struct SeenLightRay {
   glm::vec2 at_px;
   float solid_angle_sr;
   uint32_t index;  // among all of the light's
@@ -41,7 +43,7 @@ struct SeenRay {
 
 // Those of the rays that this square view sees, `extent_px` wide. Each ray is in one view: those
 // taken are marked in `taken`, one entry a ray.
-std::vector<SeenRay> rays_in_view(std::span<const Ray> rays, const View& view, uint32_t extent_px,
-                                  std::vector<bool>& taken);
+std::vector<SeenLightRay> rays_in_view(std::span<const LightRay> rays, const View& view,
+                                       uint32_t extent_px, std::vector<bool>& taken);
 
-}  // namespace lueur::indirect_lights
+}  // namespace lueur

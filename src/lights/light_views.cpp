@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/light_views.h"
+#include "lights/light_views.h"
 
 #include <algorithm>
 #include <cmath>

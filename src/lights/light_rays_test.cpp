@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/indirect_lights/placing.h"
+#include "lights/light_rays.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 #include <numbers>
 #include <numeric>
 
+#include "lights/light_views.h"
 #include "shading/halton.h"
-#include "techniques/light_views.h"
 
-namespace lueur::indirect_lights {
+namespace lueur {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -29,9 +29,9 @@ const PunctualLight kSun{.kind = PunctualLight::Kind::directional,
                          .direction = {0.6f, -0.8f, 0},
                          .intensity = {10, 10, 10}};
 
-double solid_angle(const std::vector<Ray>& rays) {
+double solid_angle(const std::vector<LightRay>& rays) {
   double sum = 0;
-  for (const Ray& ray : rays) sum += ray.solid_angle_sr;
+  for (const LightRay& ray : rays) sum += ray.solid_angle_sr;
   return sum;
 }
 
@@ -41,16 +41,16 @@ TEST(Halton, DigitsAreMirroredAtThePoint) {
   EXPECT_FLOAT_EQ(radical_inverse(3, 5), 2 / 3.0f + 1 / 9.0f);  // 12 -> 0.21
 }
 
-TEST(Placing, RaysShareOutTheConeEvenly) {
+TEST(LightRays, RaysShareOutTheConeEvenly) {
   for (const float angle : {0.05f, 0.4f, 1.0f, 2.5f}) {
     const PunctualLight light = spot(angle, {0.3f, -1, 0.2f});
     const glm::vec3 axis(light.direction[0], light.direction[1], light.direction[2]);
-    const std::vector<Ray> rays = rays_of_light(light, kBounds, 300);
+    const std::vector<LightRay> rays = rays_of_light(light, kBounds, 300);
     ASSERT_EQ(rays.size(), 300u);
     const double full = 2 * kPi * (1 - std::cos(double{angle}));
     EXPECT_NEAR(solid_angle(rays) / full, 1, 1e-5);
     uint32_t inner = 0;
-    for (const Ray& ray : rays) {
+    for (const LightRay& ray : rays) {
       EXPECT_NEAR(glm::length(ray.direction), 1, 1e-5);
       EXPECT_GE(glm::dot(ray.direction, axis), std::cos(angle) - 1e-5f);
       // Half of the solid angle.
@@ -62,10 +62,10 @@ TEST(Placing, RaysShareOutTheConeEvenly) {
 }
 
 // A sequence's mean of a function is nearer than that of random rays.
-TEST(Placing, HaltonIsMoreEvenThanRandom) {
+TEST(LightRays, HaltonIsMoreEvenThanRandom) {
   const auto error = [](uint32_t count, uint32_t seed) {
     double sum = 0;
-    for (const Ray& ray : rays_of_light(kPoint, kBounds, count, seed))
+    for (const LightRay& ray : rays_of_light(kPoint, kBounds, count, seed))
       sum += std::max(ray.direction.z, 0.0f) * double{ray.solid_angle_sr};
     return std::abs(sum / kPi - 1);
   };
@@ -77,18 +77,18 @@ TEST(Placing, HaltonIsMoreEvenThanRandom) {
 }
 
 // What stays in a spot's cone stays where it is in the world.
-TEST(Placing, RaysOfATurningSpotStay) {
-  const std::vector<Ray> before = rays_of_light(spot(0.5f, {0, -1, 0}), kBounds, 200);
-  const std::vector<Ray> after = rays_of_light(spot(0.5f, {0.1f, -1, 0}), kBounds, 200);
+TEST(LightRays, RaysOfATurningSpotStay) {
+  const std::vector<LightRay> before = rays_of_light(spot(0.5f, {0, -1, 0}), kBounds, 200);
+  const std::vector<LightRay> after = rays_of_light(spot(0.5f, {0.1f, -1, 0}), kBounds, 200);
   size_t same = 0;
-  for (const Ray& a : after)
-    for (const Ray& b : before) same += a.direction == b.direction;
+  for (const LightRay& a : after)
+    for (const LightRay& b : before) same += a.direction == b.direction;
   EXPECT_GT(same, 150u);
   EXPECT_LT(same, 200u);
 }
 
-TEST(Placing, ASunCoversWhatThereIs) {
-  const std::vector<Ray> rays = rays_of_light(kSun, kBounds, 500);
+TEST(LightRays, ASunCoversWhatThereIs) {
+  const std::vector<LightRay> rays = rays_of_light(kSun, kBounds, 500);
   ASSERT_EQ(rays.size(), 500u);
   const View view = views_of_light(kSun, kBounds).front();
   std::vector<bool> taken(rays.size());
@@ -99,14 +99,14 @@ TEST(Placing, ASunCoversWhatThereIs) {
   EXPECT_NEAR(solid_angle(rays) * distance_m * distance_m / (16 * 0.6 + 24 * 0.8), 1, 0.02);
 }
 
-TEST(Placing, EachRayIsInOneView) {
+TEST(LightRays, EachRayIsInOneView) {
   for (const PunctualLight& light :
        {kPoint, spot(0.4f, {1, -1, 0}), spot(1.4f, {1, -1, 0}), kSun}) {
-    const std::vector<Ray> rays = rays_of_light(light, kBounds, 300);
+    const std::vector<LightRay> rays = rays_of_light(light, kBounds, 300);
     std::vector<bool> taken(rays.size());
     size_t seen = 0;
     for (const View& view : views_of_light(light, kBounds))
-      for (const SeenRay& ray : rays_in_view(rays, view, 128, taken)) {
+      for (const SeenLightRay& ray : rays_in_view(rays, view, 128, taken)) {
         ++seen;
         EXPECT_GE(std::min(ray.at_px.x, ray.at_px.y), 0.0f);
         EXPECT_LE(std::max(ray.at_px.x, ray.at_px.y), 128.0f);
@@ -115,7 +115,7 @@ TEST(Placing, EachRayIsInOneView) {
   }
 }
 
-TEST(Placing, LightsGetTheirShareOfTheRays) {
+TEST(LightRays, LightsGetTheirShareOfTheRays) {
   PunctualLight dim = kPoint, dark = kPoint;
   dim.intensity = {0.01f, 0.01f, 0.01f};
   dark.intensity = {};
@@ -128,4 +128,4 @@ TEST(Placing, LightsGetTheirShareOfTheRays) {
 }
 
 }  // namespace
-}  // namespace lueur::indirect_lights
+}  // namespace lueur
