@@ -57,21 +57,13 @@ report::Table cost_table(const Rounds& rounds, std::span<const Candidate> candid
              rounds, i, kBase,
              [](const FrameTimes& a, const FrameTimes& b) { return gather_ms(a) / gather_ms(b); }),
          row.total_ms[0] / base.total_ms[0], row.total_ms[1] / base.total_ms[1],
-         in_turn(rounds, i, kBase, [&](const FrameTimes& a, const FrameTimes& b) {
-           return technique_ms(a.together, candidates[i].technique) /
-                  technique_ms(b.together, candidates[kBase].technique);
-         })});
+         technique_ratio(rounds, candidates, i, kBase)});
   }
   return table;
 }
 
 report::Table claim_table(const Rounds& rounds, std::span<const Candidate> candidates) {
-  const auto ratio = [&](size_t a, size_t b) {
-    return in_turn(rounds, a, b, [&](const FrameTimes& x, const FrameTimes& y) {
-      return technique_ms(x.together, candidates[a].technique) /
-             technique_ms(y.together, candidates[b].technique);
-    });
-  };
+  const auto ratio = [&](size_t a, size_t b) { return technique_ratio(rounds, candidates, a, b); };
   const auto paper = [](size_t a, size_t b, int card) {
     return kCosts[a].total_ms[card] / kCosts[b].total_ms[card];
   };

@@ -111,4 +111,12 @@ double gather_ms(const FrameTimes& frame) {
   return group_ms(frame, "hierarchical.gather");
 }
 
+double technique_ratio(const Rounds& rounds, std::span<const Candidate> candidates,
+                       size_t candidate, size_t base) {
+  return in_turn(rounds, candidate, base, [&](const FrameTimes& a, const FrameTimes& b) {
+    return technique_ms(a.together, candidates[candidate].technique) /
+           technique_ms(b.together, candidates[base].technique);
+  });
+}
+
 }  // namespace lueur::cli

@@ -78,4 +78,8 @@ double in_turn(const std::vector<std::vector<Times>>& rounds, size_t candidate, 
   return distribution(std::move(values)).median;
 }
 
+// Of the techniques' times, all passes together.
+double technique_ratio(const Rounds& rounds, std::span<const Candidate> candidates,
+                       size_t candidate, size_t base);
+
 }  // namespace lueur::cli

@@ -31,14 +31,6 @@ std::string place_and_rounds(const PaperSetup& setup) {
          " rounds. The paper has a bunny in a box at 640 x 480 on a Quadro FX 5500.";
 }
 
-double ratio_in_turn(const Rounds& rounds, std::span<const Candidate> candidates, size_t a,
-                     size_t b) {
-  return in_turn(rounds, a, b, [&](const FrameTimes& x, const FrameTimes& y) {
-    return technique_ms(x.together, candidates[a].technique) /
-           technique_ms(y.together, candidates[b].technique);
-  });
-}
-
 // A picture of one setting: light, what of it was gathered, and all together as it is shown.
 struct Shown {
   ImageF light;
@@ -177,7 +169,7 @@ Result<report::FigureSection> light_costs(Session& session, const PaperSetup& se
     table.rows.push_back(
         {std::to_string(kCosts[i].positive) + ", " + std::to_string(kCosts[i].negative),
          kCosts[0].frames_a_second / kCosts[i].frames_a_second,
-         ratio_in_turn(rounds, candidates, i, 0)});
+         technique_ratio(rounds, candidates, i, 0)});
   report::FigureSection section;
   section.blocks = {
       report::Paragraph{place_and_rounds(setup)}, table,
@@ -223,7 +215,7 @@ Result<report::FigureSection> low_resolution(Session& session, const PaperSetup&
     table.rows.push_back({names[i], row.low_share, all[i].low_share, 100.0 * row.rms,
                           100.0 * rms(all[i].composed, all[kAllFull].composed),
                           row.frames_a_second / kShares[kAllFull].frames_a_second,
-                          1.0 / ratio_in_turn(rounds, candidates, i, kAllFull),
+                          1.0 / technique_ratio(rounds, candidates, i, kAllFull),
                           100.0 * relative_difference(all[i].light, all[kAllFull].light)});
   }
   report::PictureRow pictures{

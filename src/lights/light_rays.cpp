@@ -162,7 +162,7 @@ std::vector<SeenLightRay> rays_in_view(std::span<const LightRay> rays, const Vie
     if (std::max(std::abs(clip.x), std::abs(clip.y)) > 1.0f) continue;
     taken[i] = true;
     const glm::vec2 at_px = (0.5f * clip + 0.5f) * static_cast<float>(extent_px);
-    seen.push_back({at_px, rays[i].solid_angle_sr, i});
+    seen.push_back({at_px, rays[i].solid_angle_sr});
   }
   return seen;
 }

@@ -24,8 +24,8 @@ struct LightRay {
 //                  They are fixed in the world: a spot that turns keeps those that stay in its cone
 //   directional    points of the square that its view sees, from the view's eye, as far as the box
 //                  is behind them
-// A cone so narrow that few of the first million points are in it gets as many as there are. With a
-// seed other than 0 random points, as all independent ones, instead.
+// A cone so narrow that few of the first million points are in it gets as many as there are. A
+// seed other than 0: random points instead, others for each seed.
 std::vector<LightRay> rays_of_light(const PunctualLight& light, const Box& bounds, uint32_t count,
                                     uint32_t seed = 0);
 
@@ -38,7 +38,6 @@ std::vector<uint32_t> shares_of_lights(std::span<const PunctualLight> lights, co
 struct SeenLightRay {
   glm::vec2 at_px;
   float solid_angle_sr;
-  uint32_t index;  // among all of the light's
 };
 
 // Those of the rays that this square view sees, `extent_px` wide. Each ray is in one view: those

@@ -37,7 +37,8 @@ void main() {
       const vec3 given = l.radiance * bounded_form_factor(to_light, -s.normal, l.normal_area,
                                                           bound == 1 ? l.area_over_pi : 0.0);
       light += given;
-      towards += dot(given, vec3(0.2126, 0.7152, 0.0722)) * normalize(to_light);
+      towards += dot(given, vec3(0.2126, 0.7152, 0.0722)) *
+                 to_light * inversesqrt(max(dot(to_light, to_light), 1.0e-30));
     }
     // The part of the picture that the point stands for.
     const vec2 ray = ray_through(camera.screen, vec2(pixel) + 0.5);
