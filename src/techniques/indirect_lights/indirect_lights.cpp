@@ -190,7 +190,7 @@ Image IndirectLightsFrame::gather_where_needed(int factor) {
                 {"low_diffuse", low.diffuse},
                 {"low_geometry", low.geometry}},
        .write = {{"diffuse", diffuse}, {"list", list}},
-       .over = extent_});
+       .over = {low_extent.width + 1, low_extent.height + 1}});
   frame_.release(low.diffuse);
   frame_.release(low.geometry);
   frame_.dispatch("indirect_lights.end_list",

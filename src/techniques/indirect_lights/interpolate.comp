@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // SOL 3.5: a pixel takes the light of the pixels at low resolution around it whose surface is its
 // own. Where the nearest one's is not, it is put on the list of those to gather for.
+//
+// A thread takes the pixels between four of low resolution, which they share. Its first pixel is
+// the one that the first of the four stands for.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
@@ -19,56 +22,76 @@ layout(set = 0, binding = 6, scalar) uniform Params { InterpolateParams value; }
 shared uint shared_count;
 shared uint shared_first;
 
+// A pixel at low resolution.
+struct Low {
+  vec3 position;
+  vec3 normal;  // 0 where there is no surface
+  vec3 light;
+};
+
+Low low_at(InterpolateParams p, ivec2 pixel) {
+  const ivec2 low = clamp(pixel, ivec2(0), p.low_extent - 1);
+  const vec2 fine = vec2(min(low * p.factor + p.factor / 2, p.camera.extent - 1)) + 0.5;
+  const vec4 g = imageLoad(low_geometry, low);
+  return Low(position_view(ray_through(p.camera.screen, fine), g.w), g.xyz,
+             imageLoad(low_diffuse, low).rgb);
+}
+
 // SOL 3.5's difference: of the normals, and of the positions as far as they are not in one plane,
-// in shares of the distance. Infinite where one of them has no surface.
-float difference(Surface s, vec4 low, vec3 low_position) {
-  if (low.w == 0.0) return 1.0e30;
-  const vec3 between = s.position - low_position;
-  const float off_plane = max(abs(dot(s.normal, between)), abs(dot(low.xyz, between)));
-  return max(length(s.normal - low.xyz), off_plane / -s.position.z);
+// in shares of the distance.
+bool fits(Surface s, Low low, float discontinuity) {
+  const vec3 between = s.position - low.position;
+  const vec3 turned = s.normal - low.normal;
+  const float off_plane = max(abs(dot(s.normal, between)), abs(dot(low.normal, between)));
+  return dot(turned, turned) <= discontinuity * discontinuity &&
+         off_plane <= discontinuity * -s.position.z && low.normal != vec3(0.0);
 }
 
 void main() {
   const InterpolateParams p = params.value;
-  const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+  const ivec2 corner = ivec2(gl_GlobalInvocationID.xy) - 1;
+  const ivec2 first = corner * p.factor + p.factor / 2;
   if (gl_LocalInvocationIndex == 0) shared_count = 0;
   barrier();
 
-  const bool is_inside = all(lessThan(pixel, p.camera.extent));
-  bool is_listed = false;
-  if (is_inside) {
+  Low low[4];
+  for (int i = 0; i < 4; ++i) low[i] = low_at(p, corner + ivec2(i & 1, i >> 1));
+  uint listed = 0;  // a bit a pixel
+  for (int k = 0; k < p.factor * p.factor; ++k) {
+    const ivec2 offset = ivec2(k % p.factor, k / p.factor);
+    const ivec2 pixel = first + offset;
+    if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, p.camera.extent))) continue;
     const Surface s = surface_at(p.camera, pixel);
+    const vec2 part = vec2(offset) / float(p.factor);
     vec4 sum = vec4(0.0);
-    if (s.is_there) {
-      const vec2 at = (vec2(pixel) - float(p.factor / 2)) / float(p.factor);
-      const ivec2 corner = ivec2(floor(at));
-      const vec2 part = at - vec2(corner);
-      float nearest = 0.0;
-      for (int i = 0; i < 4; ++i) {
-        const ivec2 side = ivec2(i & 1, i >> 1);
-        const ivec2 low = clamp(corner + side, ivec2(0), p.low_extent - 1);
-        const vec4 g = imageLoad(low_geometry, low);
-        const vec2 fine = vec2(min(low * p.factor + p.factor / 2, p.camera.extent - 1)) + 0.5;
-        const vec3 position = position_view(ray_through(p.camera.screen, fine), g.w);
-        const vec2 share = mix(1.0 - part, part, vec2(side));
-        const float weight = share.x * share.y;
-        const bool fits = difference(s, g, position) <= p.discontinuity;
-        if (fits) sum += weight * vec4(imageLoad(low_diffuse, low).rgb, 1.0);
-        // The corresponding one has the greatest weight.
-        if (weight > nearest) {
-          nearest = weight;
-          is_listed = !fits;
-        }
+    float nearest = 0.0;
+    bool is_listed = false;
+    for (int i = 0; i < 4; ++i) {
+      const vec2 share = mix(1.0 - part, part, vec2(i & 1, i >> 1));
+      const float weight = share.x * share.y;
+      if (weight == 0.0) continue;
+      const bool is_own = fits(s, low[i], p.discontinuity);
+      if (is_own) sum += weight * vec4(low[i].light, 1.0);
+      // The corresponding one has the greatest weight.
+      if (weight > nearest) {
+        nearest = weight;
+        is_listed = !is_own && s.is_there;
       }
-      sum = is_listed ? vec4(0.0) : sum / max(sum.a, 1.0e-6);
     }
-    imageStore(diffuse, pixel, vec4(sum.rgb, 0.0));
+    const bool is_taken = s.is_there && !is_listed;
+    imageStore(diffuse, pixel, vec4(is_taken ? sum.rgb / sum.a : vec3(0.0), 0.0));
+    if (is_listed) listed |= 1u << k;
   }
+
   uint place = 0;
-  if (is_listed) place = atomicAdd(shared_count, 1u);
+  if (listed != 0) place = atomicAdd(shared_count, bitCount(listed));
   barrier();
   if (gl_LocalInvocationIndex == 0 && shared_count > 0)
     shared_first = atomicAdd(list.count, shared_count);
   barrier();
-  if (is_listed) list.data[shared_first + place] = uint(pixel.y) << 16 | uint(pixel.x);
+  for (; listed != 0; listed &= listed - 1) {
+    const int k = findLSB(listed);
+    const ivec2 pixel = first + ivec2(k % p.factor, k / p.factor);
+    list.data[shared_first + place++] = uint(pixel.y) << 16 | uint(pixel.x);
+  }
 }
