@@ -27,6 +27,9 @@ struct GBuffer {
   // this perceptual roughness; a = -1 - i: the cosine lobe i of Inputs::lobes, of which rgb is the
   // colour; i is at most 2046, as half floats count no further.
   Image reflectance;
+  // r8: 0 for what stands still, (i + 1) / 255 for object i of Host::objects(). Invalid: nothing
+  // moves.
+  Image object;
 };
 
 // A cosine lobe: the light's direction is mirrored by the coefficients in the surface's frame (z is

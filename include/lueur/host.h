@@ -36,6 +36,21 @@ struct Box {
   std::array<float, 3> max{};
 };
 
+// Something that moves or changes its shape by itself. What it is in a frame is told by `bounds`,
+// which ones a picture shows by GBuffer::object.
+struct MovingObject {
+  Box bounds;
+};
+
+// What a view shows.
+struct ViewContent {
+  // With a light's index, `source` holds the diffuse reflection of that light alone, without
+  // emission.
+  int32_t light = kAllLights;
+  // Indices of Host::objects() that are left out of the picture. They still cast shadows.
+  std::span<const uint32_t> without{};
+};
+
 // The engine's side. Called by techniques while they record, in the middle of a frame; what it
 // records goes into the same frame.
 class Host {
@@ -45,10 +60,16 @@ class Host {
   // The G-buffer of what `view` sees, `extent` pixels large; invalid images if the engine cannot.
   // `view` may stand anywhere and be off-centre, but its projection has reversed z and an infinite
   // far plane (clip z = near, clip w = -z), so that engines draw it with the state they have.
-  // With a light's index, `source` holds the diffuse reflection of that light alone, without
-  // emission.
   virtual GBuffer render_view(Frame& frame, const View& view, Extent extent,
-                              int32_t light = kAllLights) = 0;
+                              const ViewContent& content = {}) = 0;
+
+  // What comes from far behind all surfaces, such as the sky's light: the radiance that `view`, as
+  // above, would see if nothing were in its way. rgba16f, alpha ignored, in the unit of `source`;
+  // invalid if there is none.
+  virtual Image background(Frame&, const View&, Extent) { return {}; }
+
+  // At most 255, always in the same order; what is in none of them stands still.
+  virtual std::span<const MovingObject> objects() const { return {}; }
 
   virtual std::span<const PunctualLight> lights() const = 0;
 

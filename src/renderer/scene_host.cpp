@@ -71,7 +71,9 @@ SceneHost::SceneHost(FrameScene& frame_scene, const Scene& scene,
     lights_.push_back(as_punctual(place(light, world_from_node[static_cast<size_t>(light.node)])));
 }
 
-GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent, int32_t light) {
+GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent,
+                               const ViewContent& content) {
+  const int32_t light = content.light;
   const auto count = static_cast<int32_t>(lights_.size());
   LUEUR_CHECK(light == kAllLights || (light >= 0 && light < count));
   ViewPasses passes(scene_, "renderer.view", extent, view, view);

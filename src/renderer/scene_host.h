@@ -17,7 +17,8 @@ class SceneHost final : public Host {
   SceneHost(FrameScene& frame_scene, const Scene& scene,
             const std::vector<glm::mat4>& world_from_node, const Bounds& box);
 
-  GBuffer render_view(Frame& frame, const View& view, Extent extent, int32_t light) override;
+  GBuffer render_view(Frame& frame, const View& view, Extent extent,
+                      const ViewContent& content) override;
   // In the order of Scene::lights.
   std::span<const PunctualLight> lights() const override { return lights_; }
   Box bounds() const override { return bounds_; }

@@ -94,8 +94,8 @@ TEST_F(SceneHostTest, LightsAloneAndEmissionAddUpToAllOfThem) {
   ask(furnished(), [](Frame& frame, const Inputs& inputs) {
     ASSERT_EQ(inputs.host->lights().size(), kLights);
     for (int32_t light = 0; light < static_cast<int32_t>(kLights); ++light) {
-      const GBuffer g =
-          inputs.host->render_view(frame, inputs.view, inputs.g_buffer.depth.extent, light);
+      const GBuffer g = inputs.host->render_view(frame, inputs.view, inputs.g_buffer.depth.extent,
+                                                 {.light = light});
       EXPECT_FALSE(g.emission.valid());
       read_back(frame, "light" + std::to_string(light) + "_", g);
     }

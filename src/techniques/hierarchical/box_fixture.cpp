@@ -52,7 +52,7 @@ BoxHost::BoxHost(const std::vector<SolidBox>& boxes, std::vector<PunctualLight> 
   }
 }
 
-GBuffer BoxHost::render_view(Frame& frame, const View& view, Extent extent, int32_t) {
+GBuffer BoxHost::render_view(Frame& frame, const View& view, Extent extent, const ViewContent&) {
   return seen_through(scene_, view, extent).upload(frame.recorder());
 }
 

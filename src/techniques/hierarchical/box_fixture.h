@@ -20,7 +20,8 @@ CpuScene scene_of(std::vector<SolidBox> boxes);
 class BoxHost final : public Host {
  public:
   explicit BoxHost(const std::vector<SolidBox>& boxes, std::vector<PunctualLight> lights = {});
-  GBuffer render_view(Frame& frame, const View& view, Extent extent, int32_t light) override;
+  GBuffer render_view(Frame& frame, const View& view, Extent extent,
+                      const ViewContent& content) override;
   std::span<const PunctualLight> lights() const override { return lights_; }
   Box bounds() const override { return {{-4, -1, -4}, {4, 4, 4}}; }
   std::span<const TriangleBatch> triangles(Frame& frame) override;

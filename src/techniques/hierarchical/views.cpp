@@ -23,7 +23,7 @@ uint32_t levels_across(Extent extent, float radius_px) {
 }  // namespace
 
 Pyramid HierarchicalFrame::pyramid_of_view(const View& view, Extent extent, int32_t light) {
-  const GBuffer g = inputs_.host->render_view(public_frame_, view, extent, light);
+  const GBuffer g = inputs_.host->render_view(public_frame_, view, extent, {.light = light});
   if (!g.depth.valid()) {
     frame_.fail({ErrorKind::usage, "the engine gives no G-buffer of other views"});
     return {};

@@ -14,9 +14,10 @@ class CastingHost final : public Host {
  public:
   CastingHost(CpuScene scene, std::vector<PunctualLight> lights)
       : scene_(std::move(scene)), lights_(std::move(lights)) {}
-  GBuffer render_view(Frame& frame, const View& view, Extent extent, int32_t light) override {
+  GBuffer render_view(Frame& frame, const View& view, Extent extent,
+                      const ViewContent& content) override {
     seen.push_back(seen_through(scene_, view, extent));
-    asked.push_back(light);
+    asked.push_back(content.light);
     return seen.back().upload(frame.recorder());
   }
   std::span<const PunctualLight> lights() const override { return lights_; }

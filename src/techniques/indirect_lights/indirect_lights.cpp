@@ -94,7 +94,7 @@ class IndirectLightsFrame {
 void IndirectLightsFrame::place(const View& view, int32_t light, std::vector<PlacedRay> rays) {
   const auto side_px = static_cast<uint32_t>(settings_.light_view_px);
   const Extent extent{side_px, side_px};
-  const GBuffer g = inputs_.host->render_view(public_frame_, view, extent, light);
+  const GBuffer g = inputs_.host->render_view(public_frame_, view, extent, {.light = light});
   if (!g.depth.valid())
     return frame_.fail({ErrorKind::usage, "the engine gives no G-buffer of other views"});
   const glm::mat4 view_from_world = as_mat4(view.view_from_world);

@@ -36,8 +36,9 @@ class LitHost final : public Host {
  public:
   LitHost(CpuScene scene, std::vector<PunctualLight> lights, Box bounds)
       : scene_(std::move(scene)), lights_(std::move(lights)), bounds_(bounds) {}
-  GBuffer render_view(Frame& frame, const View& view, Extent extent, int32_t light) override {
-    return seen(view, extent, lights_[static_cast<size_t>(light)]).upload(frame.recorder());
+  GBuffer render_view(Frame& frame, const View& view, Extent extent,
+                      const ViewContent& content) override {
+    return seen(view, extent, lights_[static_cast<size_t>(content.light)]).upload(frame.recorder());
   }
   std::span<const PunctualLight> lights() const override { return lights_; }
   Box bounds() const override { return bounds_; }
