@@ -14,7 +14,7 @@
 #include "renderer/scene_on_device.h"
 #include "renderer/shaders.h"
 #include "renderer/view_passes.h"
-#include "techniques/screen_of_view.h"
+#include "frame/screen_of_view.h"
 
 namespace lueur {
 

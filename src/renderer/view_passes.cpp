@@ -4,7 +4,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/shaders.h"
-#include "techniques/screen_of_view.h"
+#include "frame/screen_of_view.h"
 
 namespace lueur {
 namespace {

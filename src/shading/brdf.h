@@ -33,6 +33,16 @@ LUEUR_SHARED vec3 fresnel_schlick(vec3 f0, float f90, float cos_half) {
   return f0 + (vec3(f90) - f0) * (m2 * m2 * m);
 }
 
+// What GBuffer::reflectance says that a surface reflects, seen at this cosine. At grazing angles
+// all mirrors, but for what hardly reflects at all: a dielectric's 0.04 counts as whole, and what
+// has less of it has its share. A cosine lobe's colour is what it is.
+LUEUR_SHARED vec3 reflected_share(vec4 reflectance, float cos_view) {
+  const vec3 f0 = vec3(reflectance.x, reflectance.y, reflectance.z);
+  if (reflectance.w < 0.0f) return f0;
+  const float f90 = clamp(25.0f * max(max(f0.x, f0.y), f0.z), 0.0f, 1.0f);
+  return fresnel_schlick(f0, f90, cos_view);
+}
+
 // GGX with height-correlated Smith shadowing: brdf, without the cosine. Cosines are positive.
 LUEUR_SHARED vec3 ggx_brdf(vec3 f0, float f90, float perceptual_roughness, float cos_light,
                            float cos_view, float cos_normal_half, float cos_light_half) {

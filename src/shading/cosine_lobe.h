@@ -8,6 +8,13 @@
 
 LUEUR_NAMESPACE_BEGIN
 
+// CosineLobe of lueur/g_buffer.h.
+struct CosineLobeData {
+  float exponent;
+  float c_xy;
+  float c_z;
+};
+
 // The brdf for a colour of 1, without the cosine. Directions are unit and point away from the
 // surface. 0 where the coefficients or the mirrored eye's share of the light's direction vanish,
 // also for an exponent of 0: devices leave 0 / 0 and 0 to the 0 undefined.

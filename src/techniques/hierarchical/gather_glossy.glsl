@@ -14,7 +14,7 @@ layout(set = 0, binding = 3, scalar) readonly buffer Lobes { CosineLobeData data
 layout(set = 0, binding = 4, rgba16f) uniform writeonly image2D glossy;
 layout(push_constant, scalar) uniform Push { GatherParams p; };
 
-#include "techniques/hierarchical/lobe.glsl"
+#include "shading/lobe.glsl"
 
 float visibility(vec2 at_px, float z, ivec2 q, float z_of_patch);
 

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "techniques/hierarchical/hierarchical_frame.h"
 #include "techniques/hierarchical/shaders.h"
+#include "techniques/lobe_data.h"
 
 namespace lueur::hierarchical {
 
 HierarchicalFrame::Lobes HierarchicalFrame::lobes_of(const Pyramid& pyramid) {
   const GBuffer& g = pyramid.g_buffer;
   const Level& level = pyramid.finest();
-  std::vector<CosineLobeData> table{{1.0f, -1.0f, 1.0f}};  // a buffer is never empty
-  if (!inputs_.lobes.empty()) table.clear();
-  for (const CosineLobe& lobe : inputs_.lobes)
-    table.push_back({lobe.exponent, lobe.c_xy, lobe.c_z});
-  const Lobes lobes{frame_.image("lobe", level.extent, Format::r16f), frame_.upload(table)};
+  const Lobes lobes{frame_.image("lobe", level.extent, Format::r16f),
+                    frame_.upload(lobe_data(inputs_.lobes))};
   frame_.dispatch(
       "hierarchical.lobe",
       {.shader = shaders::techniques_hierarchical_lobe_comp,

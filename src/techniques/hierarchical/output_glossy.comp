@@ -15,15 +15,6 @@ layout(set = 0, binding = 4, rgba16f) uniform readonly image2D reflectance;
 layout(set = 0, binding = 5, rgba16f) uniform writeonly image2D specular;
 layout(set = 0, binding = 6, scalar) uniform Params { OutputParams value; } params;
 
-// At grazing angles all mirrors, but for what hardly reflects at all: a dielectric's 0.04 counts as
-// whole, and what has less of it has its share.
-vec3 reflected_share(vec4 f0_and_lobe, float cos_view) {
-  if (f0_and_lobe.a < 0.0) return f0_and_lobe.rgb;
-  const vec3 f0 = f0_and_lobe.rgb;
-  const float f90 = clamp(25.0 * max(max(f0.r, f0.g), f0.b), 0.0, 1.0);
-  return fresnel_schlick(f0, f90, cos_view);
-}
-
 void main() {
   const OutputParams p = params.value;
   if (any(greaterThan(ivec2(gl_GlobalInvocationID.xy), p.coarse_extent))) return;

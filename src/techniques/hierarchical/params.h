@@ -3,6 +3,7 @@
 #ifndef LUEUR_HIERARCHICAL_PARAMS_H
 #define LUEUR_HIERARCHICAL_PARAMS_H
 
+#include "shading/cosine_lobe.h"
 #include "shading/screen.h"
 
 LUEUR_NAMESPACE_BEGIN
@@ -52,13 +53,6 @@ struct GatherViewParams {
   Screen receiver_screen;
   mat4 source_from_receiver;  // view spaces
   uint is_first;              // 1: nothing was gathered before
-};
-
-// CosineLobe of lueur/g_buffer.h.
-struct CosineLobeData {
-  float exponent;
-  float c_xy;
-  float c_z;
 };
 
 struct LobeParams {

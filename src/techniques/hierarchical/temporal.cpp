@@ -3,7 +3,7 @@
 
 #include "techniques/hierarchical/hierarchical_frame.h"
 #include "techniques/hierarchical/shaders.h"
-#include "techniques/screen_of_view.h"
+#include "frame/screen_of_view.h"
 
 namespace lueur::hierarchical {
 namespace {

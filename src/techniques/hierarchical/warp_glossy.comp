@@ -7,6 +7,6 @@
 
 layout(set = 0, binding = 7, r16f) uniform readonly image2D lobe;
 layout(set = 0, binding = 8, scalar) readonly buffer Lobes { CosineLobeData data[]; } lobes;
-#include "techniques/hierarchical/lobe.glsl"
+#include "shading/lobe.glsl"
 
 float exponent_at(ivec2 pixel) { return lobe_of(imageLoad(lobe, pixel).r).exponent; }

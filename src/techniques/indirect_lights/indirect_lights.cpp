@@ -9,7 +9,7 @@
 #include "lights/light_views.h"
 #include "techniques/indirect_lights/params.h"
 #include "techniques/indirect_lights/shaders.h"
-#include "techniques/screen_of_view.h"
+#include "frame/screen_of_view.h"
 
 namespace lueur {
 namespace {

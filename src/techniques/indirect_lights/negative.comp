@@ -12,7 +12,8 @@ layout(local_size_x = 64) in;
 layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D normal;
 
-#include "techniques/indirect_lights/surface.glsl"
+#include "techniques/indirect_lights/params.h"
+#include "techniques/surface.glsl"
 
 layout(set = 0, binding = 2, scalar) buffer Lights { IndirectLight data[]; } lights;
 layout(set = 0, binding = 3, scalar) uniform Params { NegativeParams value; } params;

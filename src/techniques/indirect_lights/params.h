@@ -3,7 +3,7 @@
 #ifndef LUEUR_TECHNIQUES_INDIRECT_LIGHTS_PARAMS_H
 #define LUEUR_TECHNIQUES_INDIRECT_LIGHTS_PARAMS_H
 
-#include "shading/screen.h"
+#include "techniques/camera_params.h"
 
 LUEUR_NAMESPACE_BEGIN
 
@@ -21,13 +21,6 @@ struct PlacedRay {
   vec2 at_px;
   float solid_angle_sr;
   uint slot;
-};
-
-// The camera, as all passes over its pixels need it.
-struct CameraParams {
-  Screen screen;
-  mat3 view_from_world;
-  ivec2 extent;  // pixels of the G-buffer
 };
 
 struct PlaceParams {

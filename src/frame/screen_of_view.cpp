@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "techniques/screen_of_view.h"
+#include "frame/screen_of_view.h"
 
 namespace lueur {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The glossy lobe of a surface without its colour: GGX by roughness, or a cosine lobe of a table.
+// The including shader binds `lobes`, a buffer of CosineLobeData.
 #include "shading/brdf.h"
 #include "shading/cosine_lobe.h"
 

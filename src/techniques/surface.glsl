@@ -3,7 +3,7 @@
 // and `normal`.
 
 #include "shading/packing.h"
-#include "techniques/indirect_lights/params.h"
+#include "techniques/camera_params.h"
 
 struct Surface {
   vec3 position;
