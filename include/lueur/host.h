@@ -28,6 +28,8 @@ struct PunctualLight {
   float inner_cone_rad = 0.0f;                        // half angles: spot
   float outer_cone_rad = 0.7853982f;
   float range_m = std::numeric_limits<float>::infinity();
+
+  bool operator==(const PunctualLight&) const = default;
 };
 
 // A box in world space.
@@ -67,6 +69,14 @@ class Host {
   // above, would see if nothing were in its way. rgba16f, alpha ignored, in the unit of `source`;
   // invalid if there is none.
   virtual Image background(Frame&, const View&, Extent) { return {}; }
+
+  // An image of the two above is not needed any more in this frame: its memory may serve others.
+  virtual void give_back(Frame&, Image) {}
+  void give_back_all(Frame& frame, const GBuffer& g) {
+    for (const Image& image :
+         {g.depth, g.normal, g.source, g.emission, g.motion, g.albedo, g.reflectance, g.object})
+      if (image.valid()) give_back(frame, image);
+  }
 
   // At most 255, always in the same order; what is in none of them stands still.
   virtual std::span<const MovingObject> objects() const { return {}; }

@@ -19,6 +19,7 @@ class SceneHost final : public Host {
 
   GBuffer render_view(Frame& frame, const View& view, Extent extent,
                       const ViewContent& content) override;
+  void give_back(Frame& frame, Image image) override { frame.recorder().release(image); }
   // In the order of Scene::lights.
   std::span<const PunctualLight> lights() const override { return lights_; }
   Box bounds() const override { return bounds_; }

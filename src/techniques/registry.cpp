@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The list of techniques: one line each.
+#include "lueur/cube_map.h"
 #include "lueur/hierarchical.h"
 #include "lueur/indirect_lights.h"
 #include "techniques/hierarchical/presets.h"
@@ -13,6 +14,8 @@ std::unique_ptr<Technique> make() {
 }
 
 const TechniqueInfo kTechniques[] = {
+    {"cube_map", "Localized cube maps around moving objects, and probes for what stands still.",
+     "Szirmay-Kalos, Lazányi 2006, SCCG", CubeMap::settings_table(), make<CubeMap>},
     {"hierarchical", "Rings of samples in a pyramid of the camera's own G-buffer.",
      "Soler, Hoel, Rochet, Holzschuch 2009, INRIA RR-7162", Hierarchical::settings_table(),
      make<Hierarchical>, hierarchical_presets()},

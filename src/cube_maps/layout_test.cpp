@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Structures lie as the shaders read them.
+#include "support/layout.h"
+
+#include "cube_maps/params.h"
+#include "cube_maps/shaders.h"
+
+namespace lueur {
+namespace {
+
+TEST(CubeMapsLayout, StructuresLieAsTheShadersReadThem) {
+  expect_layout(shaders::cube_maps_texels_comp, "push", sizeof(TexelsParams),
+                {LUEUR_MEMBER(TexelsParams, screen), LUEUR_MEMBER(TexelsParams, extent),
+                 LUEUR_MEMBER(TexelsParams, corner), LUEUR_MEMBER(TexelsParams, factor),
+                 LUEUR_MEMBER(TexelsParams, far_m), LUEUR_MEMBER(TexelsParams, has_background)});
+  expect_layout(shaders::cube_maps_average_comp, "push", sizeof(AverageParams),
+                {LUEUR_MEMBER(AverageParams, extent), LUEUR_MEMBER(AverageParams, corner),
+                 LUEUR_MEMBER(AverageParams, factor)});
+}
+
+}  // namespace
+}  // namespace lueur

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// What the passes get from the CPU.
+#ifndef LUEUR_CUBE_MAPS_PARAMS_H
+#define LUEUR_CUBE_MAPS_PARAMS_H
+
+#include "shading/screen.h"
+
+LUEUR_NAMESPACE_BEGIN
+
+struct TexelsParams {
+  Screen screen;  // of the view, at its own extent
+  ivec2 extent;   // texels that are written
+  ivec2 corner;   // where the first of them goes
+  int factor;     // pixels a side of a texel
+  float far_m;
+  uint has_background;
+};
+
+struct AverageParams {
+  ivec2 extent;
+  ivec2 corner;
+  int factor;
+};
+
+LUEUR_NAMESPACE_END
+
+#endif
