@@ -31,7 +31,7 @@ namespace lueur {
 struct CubeMapSettings {
   enum class Side : int32_t { of_2, of_4, of_8, of_16, of_32, of_64, of_128, of_256 };
   enum class Picture : int32_t { of_64, of_128, of_256, of_512 };
-  enum class Method : int32_t { localized, central };
+  enum class Method : int32_t { localized, classical };
 
   Side side = Side::of_4;             // M, texels; not above `picture`
   Picture picture = Picture::of_256;  // of a face, pixels

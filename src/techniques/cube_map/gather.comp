@@ -4,6 +4,7 @@
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
+#include "cube_maps/equations.h"
 #include "techniques/cube_map/params.h"
 
 layout(local_size_x = 64, local_size_y = 1) in;
@@ -11,12 +12,11 @@ layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D normal;
 layout(set = 0, binding = 2) uniform sampler2D object;
 layout(set = 0, binding = 3, scalar) readonly buffer MapOfObject { uint data[]; } map_of_object;
+layout(set = 0, binding = 4, scalar) readonly buffer Texels { TexelLight data[]; } texels;
 layout(set = 0, binding = 5, rgba32f) uniform image2D sum;  // light times shares, shares
 layout(set = 0, binding = 6, scalar) uniform Params { GatherParams value; } params;
 
 #include "techniques/cube_map/receivers.glsl"
-
-layout(set = 0, binding = 4, scalar) readonly buffer Texels { TexelLight data[]; } texels;
 
 void main() {
   const GatherParams p = params.value;
@@ -27,16 +27,12 @@ void main() {
   for (uint i = p.first_texel; i < p.end_texel; ++i) {
     const TexelLight t = texels.data[i];
     for (uint k = 0; k < pixels_per_thread; ++k) {
-      const vec4 seen = way_and_share(t, r.surface[k].position);
-      const float facing = max(dot(r.surface[k].normal, seen.xyz), 0.0);
-      light[k] += t.radiance * (facing * inversesqrt(dot(seen.xyz, seen.xyz) + 1.0e-30) * seen.w);
+      const vec3 way = t.position - r.surface[k].position;
+      const float r2 = dot(way, way) + 1.0e-30;
+      const float facing = max(dot(r.surface[k].normal, way), 0.0);
+      light[k] += t.radiance * (facing * inversesqrt(r2) * localized_share(t, r2));
     }
   }
-  for (uint k = 0; k < pixels_per_thread; ++k) {
-    if (r.share[k] == 0.0) continue;
-    const ivec2 pixel = first_pixel(p) + ivec2(0, k);
-    const vec4 before = imageLoad(sum, pixel);
-    const float share = p.first_texel == 0 ? r.share[k] : 0.0;
-    imageStore(sum, pixel, before + vec4(light[k] * r.share[k], share));
-  }
+  for (uint k = 0; k < pixels_per_thread; ++k)
+    add_to_sum(first_pixel(p) + ivec2(0, k), light[k], r.share[k], p.first_texel == 0);
 }

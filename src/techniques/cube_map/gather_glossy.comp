@@ -4,6 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "cube_maps/blinn.h"
+#include "cube_maps/equations.h"
 #include "shading/cosine_lobe.h"
 #include "techniques/cube_map/params.h"
 
@@ -12,6 +13,7 @@ layout(set = 0, binding = 0) uniform sampler2D depth;
 layout(set = 0, binding = 1) uniform sampler2D normal;
 layout(set = 0, binding = 2) uniform sampler2D object;
 layout(set = 0, binding = 3, scalar) readonly buffer MapOfObject { uint data[]; } map_of_object;
+layout(set = 0, binding = 4, scalar) readonly buffer Texels { TexelLight data[]; } texels;
 layout(set = 0, binding = 5, rgba32f) uniform image2D sum;  // light times shares, shares
 layout(set = 0, binding = 6, scalar) uniform Params { GatherParams value; } params;
 layout(set = 0, binding = 7) uniform sampler2D reflectance;
@@ -19,8 +21,6 @@ layout(set = 0, binding = 8, scalar) readonly buffer Lobes { CosineLobeData data
 
 #include "shading/lobe.glsl"
 #include "techniques/cube_map/receivers.glsl"
-
-layout(set = 0, binding = 4, scalar) readonly buffer Texels { TexelLight data[]; } texels;
 
 void main() {
   const GatherParams p = params.value;
@@ -42,23 +42,19 @@ void main() {
   for (uint i = p.first_texel; i < p.end_texel; ++i) {
     const TexelLight t = texels.data[i];
     for (uint k = 0; k < pixels_per_thread; ++k) {
-      const vec4 seen = way_and_share(t, r.surface[k].position);
-      const vec3 to_light = seen.xyz * inversesqrt(dot(seen.xyz, seen.xyz) + 1.0e-30);
+      const vec3 way = t.position - r.surface[k].position;
+      const float r2 = dot(way, way) + 1.0e-30;
+      const vec3 to_light = way * inversesqrt(r2);
       const float facing = dot(r.surface[k].normal, to_light);
       if (facing <= 0.0) continue;
       const vec3 n = r.surface[k].normal;
-      const float solid_angle_sr = kPi * seen.w;
+      const float solid_angle_sr = kPi * localized_share(t, r2);
       const float brdf = p.blinn_exponent > 0.0
                              ? blinn_brdf(p.blinn_exponent, n, to_light, to_eye[k])
                              : lobe_brdf(lobe[k], n, to_light, to_eye[k], solid_angle_sr);
       light[k] += t.radiance * (brdf * facing * solid_angle_sr);
     }
   }
-  for (uint k = 0; k < pixels_per_thread; ++k) {
-    if (r.share[k] == 0.0) continue;
-    const ivec2 pixel = first_pixel(p) + ivec2(0, k);
-    const vec4 before = imageLoad(sum, pixel);
-    const float share = p.first_texel == 0 ? r.share[k] : 0.0;
-    imageStore(sum, pixel, before + vec4(light[k] * reflected[k] * r.share[k], share));
-  }
+  for (uint k = 0; k < pixels_per_thread; ++k)
+    add_to_sum(first_pixel(p) + ivec2(0, k), light[k] * reflected[k], r.share[k], p.first_texel == 0);
 }

@@ -13,14 +13,17 @@ TEST(CubeMapLayout, StructuresLieAsTheShadersReadThem) {
   namespace s = shaders;
   expect_layout(s::techniques_cube_map_begin_comp, "push", sizeof(BeginParams),
                 {LUEUR_MEMBER(BeginParams, extent)});
-  expect_layout(s::techniques_cube_map_place_comp, "push", sizeof(PlaceParams),
-                {LUEUR_MEMBER(PlaceParams, screen), LUEUR_MEMBER(PlaceParams, side),
-                 LUEUR_MEMBER(PlaceParams, map), LUEUR_MEMBER(PlaceParams, texels)});
+  for (const auto* of_faces :
+       {&s::techniques_cube_map_place_comp, &s::techniques_cube_map_convolve_comp})
+    expect_layout(*of_faces, "push", sizeof(PlaceParams),
+                  {LUEUR_MEMBER(PlaceParams, screen), LUEUR_MEMBER(PlaceParams, side),
+                   LUEUR_MEMBER(PlaceParams, map), LUEUR_MEMBER(PlaceParams, texels)});
   expect_layout(s::techniques_cube_map_place_comp, "texels", sizeof(TexelLight),
                 {LUEUR_MEMBER(TexelLight, position), LUEUR_MEMBER(TexelLight, gain),
                  LUEUR_MEMBER(TexelLight, radiance), LUEUR_MEMBER(TexelLight, shrink)});
   for (const auto* gather :
-       {&s::techniques_cube_map_gather_comp, &s::techniques_cube_map_gather_glossy_comp})
+       {&s::techniques_cube_map_gather_comp, &s::techniques_cube_map_gather_glossy_comp,
+        &s::techniques_cube_map_look_up_comp})
     expect_layout(*gather, "params", sizeof(GatherParams),
                   {LUEUR_MEMBER(GatherParams, camera), LUEUR_MEMBER(GatherParams, share),
                    LUEUR_MEMBER(GatherParams, first), LUEUR_MEMBER(GatherParams, end),

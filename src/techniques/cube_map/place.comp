@@ -6,8 +6,6 @@
 #include "cube_maps/equations.h"
 #include "techniques/cube_map/params.h"
 
-// 0: seen from the map's centre by all alike; positions are then the ways there from it.
-layout(constant_id = 0) const uint localized = 1;
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, rgba32f) uniform readonly image2D atlas;
 layout(set = 0, binding = 1, scalar) readonly buffer Faces { mat4 camera_from_face[]; } faces;
@@ -29,14 +27,8 @@ void main() {
   const vec3 way = ray * (seen.a / ray_length);
   TexelLight t;
   t.radiance = seen.rgb;
-  if (localized == 1) {
-    t.position = (to_camera * vec4(way, 1.0)).xyz;
-    t.gain = seen.a * seen.a * over_pi;
-    t.shrink = 1.0 - over_pi;
-  } else {
-    t.position = mat3(to_camera) * way;
-    t.gain = over_pi;
-    t.shrink = 0.0;
-  }
+  t.position = (to_camera * vec4(way, 1.0)).xyz;
+  t.gain = seen.a * seen.a * over_pi;
+  t.shrink = 1.0 - over_pi;
   texels.data[index] = t;
 }

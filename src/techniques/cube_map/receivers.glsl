@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: MIT
 // The pixels of a thread, one below the other, and how much of the map each takes. The including
-// shader binds `depth`, `normal` and `object`, `map_of_object`, and `params`.
+// shader binds `depth`, `normal`, `object`, `map_of_object`, and `sum`.
 
-#include "cube_maps/equations.h"
 #include "techniques/surface.glsl"
 
 // Pixels that share the fetches of a texel.
 layout(constant_id = 0) const uint pixels_per_thread = 1;
-layout(constant_id = 1) const uint localized = 1;
 // 0: nothing moves, and `object` is some image.
-layout(constant_id = 2) const uint has_objects = 1;
+layout(constant_id = 1) const uint has_objects = 1;
 
 struct Receivers {
   Surface surface[pixels_per_thread];
@@ -31,6 +29,12 @@ ivec2 first_pixel(GatherParams p) {
   return p.first + ivec2(gl_GlobalInvocationID.x, gl_WorkGroupID.y * pixels_per_thread);
 }
 
+void add_to_sum(ivec2 pixel, vec3 light, float share, bool is_first) {
+  if (share == 0.0) return;
+  const vec4 before = imageLoad(sum, pixel);
+  imageStore(sum, pixel, before + vec4(light * share, is_first ? share : 0.0));
+}
+
 // False where none of them takes anything.
 bool load_receivers(GatherParams p, out Receivers r) {
   float total = 0.0;
@@ -42,10 +46,4 @@ bool load_receivers(GatherParams p, out Receivers r) {
     total += r.share[k];
   }
   return total > 0.0;
-}
-
-// The way from a point to a texel's surface, and the solid angle over pi of that.
-vec4 way_and_share(TexelLight t, vec3 position) {
-  const vec3 way = localized == 1 ? t.position - position : t.position;
-  return vec4(way, localized == 1 ? localized_share(t, dot(way, way)) : t.gain);
 }

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/cube_map/cube_map_frame.h"
+
+#include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
+
+#include "cube_maps/cube_capture.h"
+#include "cube_maps/equations.h"
+#include "frame/screen_of_view.h"
+#include "lights/square_views.h"
+#include "techniques/cube_map/pixel_box.h"
+#include "techniques/cube_map/shaders.h"
+#include "techniques/lobe_data.h"
+
+namespace lueur::cube_map {
+namespace {
+
+// The software rasterizer ends a thread's loops after 65 535 rounds.
+constexpr uint32_t kMostTexelsAPass = 32768;
+constexpr uint32_t kPanoramaSide = 32, kPanoramas = 7;  // panorama.glsl
+
+// Outside of all that is drawn, from wherever in it.
+float far_of(const Box& bounds) {
+  const glm::vec3 low = glm::make_vec3(bounds.min.data()), high = glm::make_vec3(bounds.max.data());
+  return std::clamp(2.0f * glm::length(high - low), 1.0f, 1e6f);
+}
+
+// What takes a face's view space to the world.
+glm::mat4 world_from_face(const Map& map, size_t face) {
+  return glm::inverse(
+      glm::make_mat4(cube_views(map.faces[face].origin)[face].view_from_world.data()));
+}
+
+}  // namespace
+
+CubeMapFrame::CubeMapFrame(Frame& frame, const CubeMapSettings& settings, const Inputs& inputs,
+                           Maps& maps)
+    : public_frame_(frame),
+      frame_(frame.recorder()),
+      settings_(settings),
+      inputs_(inputs),
+      maps_(maps),
+      extent_(inputs.g_buffer.depth.extent),
+      camera_from_world_(glm::make_mat4(inputs.view.view_from_world.data())),
+      camera_{screen_of_view(inputs.view, extent_), glm::mat3(camera_from_world_),
+              as_ivec2(extent_)},
+      side_(side_of(settings.side)),
+      texels_a_map_(6 * side_ * side_),
+      has_objects_(inputs.g_buffer.object.valid() && !inputs.host->objects().empty()),
+      object_(has_objects_ ? inputs.g_buffer.object : inputs.g_buffer.normal) {}
+
+bool CubeMapFrame::keep(const char* name, Extent of_a_map, Format format, Image& image) {
+  const auto count = static_cast<uint32_t>(maps_.maps().size());
+  const HistoryImage history =
+      frame_.history(name, {of_a_map.width, of_a_map.height * count}, format);
+  image = history.current;
+  const bool lasts = !frame_.failed() && history.valid && !inputs_.cut;
+  if (lasts) frame_.copy(history.previous, history.current);
+  return lasts;
+}
+
+void CubeMapFrame::capture() {
+  Host& host = *inputs_.host;
+  const std::span<const MovingObject> objects =
+      has_objects_ ? host.objects() : std::span<const MovingObject>{};
+  maps_.update(objects, host.lights(), host.bounds(),
+               {settings_.most_maps, settings_.share, settings_.probes, settings_.move_threshold});
+  if (maps_.maps().empty()) return;
+
+  bool lasts = keep("cube_map.atlas", {6 * side_, side_}, kCubeTexelFormat, atlas_);
+  if (is_classical())
+    lasts &= keep("cube_map.panoramas", {kPanoramas * kPanoramaSide, kPanoramaSide},
+                  Format::rgba16f, panoramas_);
+  if (frame_.failed()) return;
+  if (!lasts) maps_.forget();
+
+  std::vector<bool> is_new(maps_.maps().size());
+  for (const FaceIndex& i : maps_.take_due(static_cast<size_t>(settings_.faces_a_frame))) {
+    const Map& map = maps_.maps()[i.map];
+    const View view = cube_views(map.faces[i.face].origin)[i.face];
+    capture_face(public_frame_, host, view,
+                 {.picture_px = pixels_of(settings_.picture),
+                  .side = side_,
+                  .without = map.objects,
+                  .far_m = far_of(host.bounds())},
+                 atlas_, glm::ivec2(i.face, i.map) * static_cast<int>(side_));
+    is_new[i.map] = true;
+  }
+  upload();
+  if (!is_classical()) return;
+  for (uint32_t map = 0; map < is_new.size(); ++map)
+    if (is_new[map]) convolve(map);
+}
+
+// What the passes read of all maps.
+void CubeMapFrame::upload() {
+  std::vector<glm::mat4> to_world_or_camera;
+  for (const Map& map : maps_.maps())
+    for (size_t face = 0; face < 6; ++face)
+      to_world_or_camera.push_back(is_classical()
+                                       ? world_from_face(map, face)
+                                       : camera_from_world_ * world_from_face(map, face));
+  faces_ = frame_.upload(to_world_or_camera);
+  std::vector<uint32_t> map_of_object = maps_.map_of_object();
+  if (map_of_object.empty()) map_of_object.push_back(0);
+  map_of_object_ = frame_.upload(map_of_object);
+  lobes_ = frame_.upload(lobe_data(inputs_.lobes));
+  if (!is_classical())
+    texels_ = frame_.buffer("texels", uint64_t{texels_a_map_} * sizeof(TexelLight));
+}
+
+PlaceParams CubeMapFrame::place_params(uint32_t map) const {
+  return {screen_of_view(cube_views({}).front(), {side_, side_}), static_cast<int>(side_),
+          static_cast<int>(map), texels_a_map_};
+}
+
+void CubeMapFrame::convolve(uint32_t map) {
+  const PlaceParams params = place_params(map);
+  frame_.dispatch("cube_map.convolve", {.shader = shaders::techniques_cube_map_convolve_comp,
+                                        .params = params,
+                                        .read = {{"atlas", atlas_}, {"faces", faces_}},
+                                        .write = {{"panoramas", panoramas_}},
+                                        .over = {kPanoramas * kPanoramaSide, kPanoramaSide}});
+}
+
+void CubeMapFrame::place(uint32_t map) {
+  const PlaceParams params = place_params(map);
+  frame_.dispatch("cube_map.place", {.shader = shaders::techniques_cube_map_place_comp,
+                                     .params = params,
+                                     .read = {{"atlas", atlas_}, {"faces", faces_}},
+                                     .write = {{"texels", texels_}},
+                                     .over = {texels_a_map_, 1}});
+}
+
+MapShare CubeMapFrame::share_of(uint32_t index) const {
+  const Map& map = maps_.maps()[index];
+  MapShare share{};
+  share.map = index;
+  share.is_probe = map.is_probe() ? 1 : 0;
+  share.centre = glm::vec3(camera_from_world_ * glm::vec4(map.centre, 1.0f));
+  const glm::vec3 spacing = maps_.probe_spacing();
+  for (const Map& other : maps_.maps()) {
+    if (!other.is_probe()) continue;
+    for (int axis = 0; axis < 3; ++axis) {
+      if (spacing[axis] == 0.0f) continue;
+      if (other.centre[axis] > map.centre[axis] + 0.5f * spacing[axis])
+        share.falls_up[axis] = 1.0f / spacing[axis];
+      if (other.centre[axis] < map.centre[axis] - 0.5f * spacing[axis])
+        share.falls_down[axis] = 1.0f / spacing[axis];
+    }
+  }
+  return share;
+}
+
+void CubeMapFrame::gather_from(uint32_t index, Image sum, bool glossy) {
+  const Map& map = maps_.maps()[index];
+  const PixelBox pixels = map.is_probe() ? PixelBox{{0, 0}, as_ivec2(extent_)}
+                                         : pixels_of_box(map.box, inputs_.view, extent_);
+  if (pixels.is_empty()) return;
+  GatherParams params{camera_, share_of(index),         pixels.first, pixels.end, 0,
+                      0,       settings_.blinn_exponent};
+  if (is_classical()) return dispatch_gather(params, sum, glossy);
+  place(index);
+  for (; params.first_texel < texels_a_map_; params.first_texel = params.end_texel) {
+    params.end_texel = std::min(params.first_texel + kMostTexelsAPass, texels_a_map_);
+    dispatch_gather(params, sum, glossy);
+  }
+}
+
+void CubeMapFrame::dispatch_gather(const GatherParams& params, Image sum, bool glossy) {
+  const uint32_t pixels_per_thread = frame_.runs_on_cpu() ? 8 : 2;
+  const glm::ivec2 size = params.end - params.first;
+  Dispatch dispatch{.shader = is_classical() ? shaders::techniques_cube_map_look_up_comp
+                              : glossy       ? shaders::techniques_cube_map_gather_glossy_comp
+                                             : shaders::techniques_cube_map_gather_comp,
+                    .constants = {{"pixels_per_thread", pixels_per_thread},
+                                  {"has_objects", has_objects_ ? 1u : 0u}},
+                    .params = params,
+                    .read = {{"depth", inputs_.g_buffer.depth},
+                             {"normal", inputs_.g_buffer.normal},
+                             {"object", object_},
+                             {"map_of_object", map_of_object_}},
+                    .write = {{"sum", sum}},
+                    .over = {static_cast<uint32_t>(size.x),
+                             divide_up(static_cast<uint32_t>(size.y), pixels_per_thread)}};
+  if (is_classical()) {
+    dispatch.constants.push_back({"glossy", glossy ? 1u : 0u});
+    dispatch.read.push_back({"panoramas", panoramas_});
+  } else {
+    dispatch.read.push_back({"texels", texels_});
+  }
+  if (is_classical() || glossy) {
+    const Image reflectance = inputs_.g_buffer.reflectance;
+    dispatch.read.push_back({"reflectance", glossy ? reflectance : inputs_.g_buffer.normal});
+    dispatch.read.push_back({"lobes", lobes_});
+  }
+  frame_.dispatch(glossy ? "cube_map.gather_glossy" : "cube_map.gather", dispatch);
+}
+
+Image CubeMapFrame::gather(bool glossy) {
+  const Image sum = frame_.image("sum", extent_, Format::rgba32f);
+  frame_.dispatch("cube_map.begin", {.shader = shaders::techniques_cube_map_begin_comp,
+                                     .params = BeginParams{as_ivec2(extent_)},
+                                     .write = {{"sum", sum}},
+                                     .over = extent_});
+  for (uint32_t map = 0; map < maps_.maps().size(); ++map) gather_from(map, sum, glossy);
+  const Image light = frame_.image(glossy ? "specular" : "diffuse", extent_, Format::rgba16f);
+  frame_.dispatch(glossy ? "cube_map.finish_glossy" : "cube_map.finish",
+                  {.shader = shaders::techniques_cube_map_finish_comp,
+                   .constants = {{"has_objects", has_objects_ ? 1u : 0u}},
+                   .params = FinishParams{as_ivec2(extent_)},
+                   .read = {{"sum", sum}, {"object", object_}},
+                   .write = {{"light", light}},
+                   .over = extent_});
+  frame_.release(sum);
+  return light;
+}
+
+}  // namespace lueur::cube_map
