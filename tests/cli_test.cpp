@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <tuple>
 
@@ -216,6 +219,35 @@ TEST_F(Cli, TechniqueNone) {
   const auto layers = read_exr(folder_ / "a.exr");
   ASSERT_TRUE(layers.ok()) << layers.error().message;
   for (const ImageLayer& layer : *layers) EXPECT_NE(layer.name, "indirect");
+}
+
+// What alpha holds is a layer of the name that the technique gives it, and only a share of samples
+// off the screen is reported as one.
+TEST_F(Cli, DiffuseAlphaHasItsName) {
+  const auto listed = nlohmann::json::parse(run({"techniques", "--json"}).out)["techniques"];
+  std::map<std::string, std::string> names = {{"none", ""}};
+  for (const auto& technique : listed)
+    names[technique["name"].get<std::string>()] = technique["diffuse_alpha"].get<std::string>();
+  EXPECT_EQ(names["hierarchical"], "off_screen");
+  EXPECT_EQ(names["indirect_lights"], "gathered");
+  std::set<std::string> all;
+  for (const auto& [technique, name] : names) all.insert(name);
+  for (const auto& [technique, name] : names) {
+    SCOPED_TRACE(technique);
+    const Ended ended = render({"--technique", technique, "--json", "-o", "a.exr"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(nlohmann::json::parse(ended.out).contains("off_screen_share"), name == "off_screen");
+    const auto layers = read_exr(folder_ / "a.exr");
+    ASSERT_TRUE(layers.ok()) << layers.error().message;
+    size_t found = 0;
+    for (const ImageLayer& layer : *layers) {
+      if (layer.name.empty() || !all.contains(layer.name)) continue;
+      EXPECT_EQ(layer.name, name);
+      ++found;
+      EXPECT_GT(*std::max_element(layer.image.samples.begin(), layer.image.samples.end()), 0.0f);
+    }
+    EXPECT_EQ(found, name.empty() ? 0u : 1u);
+  }
 }
 
 // composed = direct + albedo * indirect, by the layers themselves.

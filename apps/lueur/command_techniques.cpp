@@ -58,6 +58,7 @@ std::string as_text() {
   for (const TechniqueInfo& info : techniques()) {
     const auto technique = info.make();
     out << info.name << ": " << info.summary << "\n  " << info.source << "\n";
+    if (!info.diffuse_alpha.empty()) out << "  EXR layer " << info.diffuse_alpha << "\n";
     for (const SettingInfo& row : info.settings)
       out << "  --set " << row.name << "=" << to_text(row, technique->settings()) << "  ("
           << range_text(row) << ")\n      " << row.summary << "\n";
@@ -82,6 +83,7 @@ Json as_json() {
     list.push_back({{"name", info.name},
                     {"summary", info.summary},
                     {"source", info.source},
+                    {"diffuse_alpha", info.diffuse_alpha},
                     {"settings", settings},
                     {"presets", presets}});
   }

@@ -59,7 +59,8 @@ ImageF as_image(const Pixels& pixels, uint32_t channels) {
                 [&](size_t, const float* from, float* to) { std::copy_n(from, channels, to); });
 }
 
-std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m) {
+std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m,
+                                   std::string_view diffuse_alpha) {
   std::vector<ImageLayer> layers;
   const auto pixels = [&](std::string_view name) { return find_pixels(all, name); };
   const auto add_as_is = [&](const char* layer, std::string_view name, uint32_t channels) {
@@ -73,8 +74,8 @@ std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m) {
   if (source && specular)
     layers.push_back({"direct", sum(as_image(*source, 3), as_image(*specular, 3))});
   add_as_is("indirect", "indirect", 3);
-  if (const Pixels* indirect = pixels("indirect"))
-    layers.push_back({"off_screen", alpha(*indirect)});
+  if (const Pixels* indirect = pixels("indirect"); indirect && !diffuse_alpha.empty())
+    layers.push_back({std::string(diffuse_alpha), alpha(*indirect)});
   add_as_is("indirect_specular", "indirect_specular", 3);
   add_as_is("albedo", "albedo", 3);
   if (const Pixels* normal = pixels("normal"); normal && depth)
@@ -88,7 +89,9 @@ std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m) {
   return layers;
 }
 
-std::optional<double> off_screen_share(std::span<const Pixels> all) {
+std::optional<double> off_screen_share(std::span<const Pixels> all,
+                                       std::string_view diffuse_alpha) {
+  if (diffuse_alpha != "off_screen") return std::nullopt;
   const Pixels* indirect = find_pixels(all, "indirect");
   const Pixels* depth = find_pixels(all, "depth");
   if (!indirect || !depth) return std::nullopt;

@@ -24,9 +24,8 @@ ImageF as_image(const Pixels& pixels, uint32_t channels);
 // The layers of a rendered frame, from images named as in RenderedImages:
 //   (main)      the composed picture, scene-referred
 //   direct      source + specular: what there is without a technique
-//   indirect    the technique's E/pi, before albedo, and
-//   off_screen  its alpha: for `hierarchical` the share of samples outside of the picture; for
-//               `indirect_lights` 1 where a pixel was gathered for, 0 where it was interpolated
+//   indirect    the technique's E/pi, before albedo
+//   `diffuse_alpha`  its alpha, named as TechniqueInfo has it; left out where that is empty
 //   indirect_specular  the technique's radiance through glossy lobes
 //   albedo      diffuse, linear
 //   normal      unit, world space; 0 where nothing is
@@ -35,9 +34,11 @@ ImageF as_image(const Pixels& pixels, uint32_t channels);
 //   motion      UV now minus UV in the previous frame
 //   material    metallic, perceptual roughness, share of dielectric F0
 // Layers whose image is missing are left out. `near_m` is the camera's near plane.
-std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m);
+std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m,
+                                   std::string_view diffuse_alpha);
 
-// The mean of `indirect`'s alpha over the pixels that show something; none without such pixels.
-std::optional<double> off_screen_share(std::span<const Pixels> all);
+// The mean of `indirect`'s alpha over the pixels that show something; none without such pixels, and
+// where `diffuse_alpha` says that it is something else.
+std::optional<double> off_screen_share(std::span<const Pixels> all, std::string_view diffuse_alpha);
 
 }  // namespace lueur::cli

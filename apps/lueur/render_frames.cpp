@@ -113,6 +113,7 @@ Result<void> render_frames(const RenderJob& job, Session& session, Renderer& ren
   if (!job.view.empty()) inspect.watch = {job.view};
   Development development{.tone_map = job.tone_map,
                           .near_m = scene.cameras[static_cast<size_t>(cameras.main)].near_m,
+                          .diffuse_alpha = job.technique.diffuse_alpha(),
                           .attributes = {}};
   FrameFiles files(job);
   Times times;

@@ -68,13 +68,13 @@ Result<void> make_picture(const RenderJob& job, Session& session, Renderer& rend
   report.frame_ms = total_ms(frame.passes, "");
   report.findings = frame.findings;
   report.views = frame.written;
-  if (job.technique.name() == "hierarchical")
-    report.off_screen_share = off_screen_share(frame.pixels);
+  report.off_screen_share = off_screen_share(frame.pixels, job.technique.diffuse_alpha());
   report.exposure_ev = exposure_ev(job.exposure, scene.exposure_ev,
                                    as_image(*find_pixels(frame.pixels, "composed"), 3));
   const Development development{.exposure_ev = report.exposure_ev,
                                 .tone_map = job.tone_map,
                                 .near_m = scene.cameras[static_cast<size_t>(cameras.main)].near_m,
+                                .diffuse_alpha = job.technique.diffuse_alpha(),
                                 .attributes = attributes(job, report, shot)};
   LUEUR_TRY_VOID(write_outputs(job, frame, development, report));
   for (const std::string& path : report.outputs) print_progress("wrote " + path);

@@ -45,7 +45,8 @@ Result<void> write_pictures(const std::vector<Destination>& destinations,
     if (destination.kind == FileKind::png) {
       LUEUR_TRY_VOID(write_png(destination.path, composed_picture(pixels, development)));
     } else {
-      LUEUR_TRY_VOID(write_exr(destination.path, exr_layers(pixels, development.near_m),
+      LUEUR_TRY_VOID(write_exr(destination.path,
+                               exr_layers(pixels, development.near_m, development.diffuse_alpha),
                                {.attributes = development.attributes}));
     }
   }

@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "destination.h"
@@ -19,6 +20,7 @@ struct Development {
   float exposure_ev = 0;
   ToneMap tone_map = ToneMap::khronos_neutral;
   float near_m = 0;                               // of the camera
+  std::string_view diffuse_alpha;                 // of the technique, see exr_layers()
   std::map<std::string, std::string> attributes;  // of EXR headers
 };
 

@@ -24,7 +24,7 @@ struct RenderReport {
   double host_ms = 0;  // what the host renders for the technique alone
   double frame_ms = 0;
   std::optional<MemoryUse> memory;         // of one frame without copies for the CPU
-  std::optional<double> off_screen_share;  // of `hierarchical`
+  std::optional<double> off_screen_share;  // where alpha holds it
   std::optional<uint32_t> frames;          // those written, of an animation
   std::vector<std::string> views;          // "pass.image", each once
   std::vector<ScanFinding> findings;       // of a scan

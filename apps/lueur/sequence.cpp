@@ -19,7 +19,7 @@ ImageF indirect_of(std::span<const Pixels> pixels, Extent size) {
 
 Surfaces surfaces_of(std::span<const Pixels> pixels, float near_m) {
   Surfaces surfaces;
-  for (ImageLayer& layer : exr_layers(pixels, near_m)) {
+  for (ImageLayer& layer : exr_layers(pixels, near_m, {})) {
     if (layer.name == "motion") surfaces.motion = std::move(layer.image);
     if (layer.name == "depth") surfaces.depth = std::move(layer.image);
     if (layer.name == "normal") surfaces.normal = std::move(layer.image);

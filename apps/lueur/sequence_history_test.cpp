@@ -54,7 +54,7 @@ TEST_F(SequenceHistoryTest, MovingAndStandingFramesAreApart) {
   ASSERT_TRUE(loaded.ok());
   auto renderer = Renderer::create(*session_->system, session_->context, loaded->scene);
   ASSERT_TRUE(renderer.ok());
-  const TechniqueInfo info{"logging", "", "", {}, make_logging};
+  const TechniqueInfo info{"logging", "", "", "", {}, make_logging};
   const ChosenTechnique technique{&info, make_logging(), "logging"};
   const Sequence sequence{.setup = {{16, 9}, 0}, .frames = 3, .settle = 2, .average = 4};
   std::vector<uint32_t> taken;

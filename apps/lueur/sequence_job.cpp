@@ -49,7 +49,7 @@ Result<std::vector<SequenceErrors>> measure(const SequenceJob& job, Session& ses
       if (!exposure_ev)
         exposure_ev = auto_exposure_ev(as_image(*find_pixels(pixels, "composed"), 3));
       return write_pictures({{frame_path(job, technique, frame), FileKind::png}}, pixels,
-                            {.exposure_ev = *exposure_ev, .attributes = {}});
+                            {.exposure_ev = *exposure_ev, .diffuse_alpha = {}, .attributes = {}});
     };
     LUEUR_TRY(errors,
               measure_sequence(session, renderer, scene, cameras, job.sequence, technique, write));

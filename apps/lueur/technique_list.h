@@ -17,6 +17,8 @@ struct ChosenTechnique {
   std::unique_ptr<Technique> technique;
   std::string label = "none";  // the entry in a list that chooses it: "hierarchical:samples=32"
   std::string name() const { return info ? std::string(info->name) : "none"; }
+  // As TechniqueInfo has it.
+  std::string_view diffuse_alpha() const { return info ? info->diffuse_alpha : ""; }
 };
 
 // One technique. `settings` are "key=value" texts as they came with --set, `preset` the name of the

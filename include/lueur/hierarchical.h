@@ -60,9 +60,9 @@ struct HierarchicalSettings {
   int32_t only_level = 0;
 };
 
-// Outputs: `diffuse`, and `specular` with Settings::glossy. The alpha of each is the share of
-// samples that fell outside of the image, averaged over the levels: light that may be missing
-// there.
+// Outputs: `diffuse`, and `specular` with Settings::glossy. The alpha of each, "off_screen", is the
+// share of samples that fell outside of the image, averaged over the levels: light that may be
+// missing there.
 //
 // What of Inputs it needs beyond view, depth, normal and source depends on the settings: motion for
 // all that remembers (temporal, feedback, interleave; without it the temporal filter rests), albedo

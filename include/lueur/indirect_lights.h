@@ -38,7 +38,8 @@ struct IndirectLightsSettings {
   Placing placing = Placing::halton;
 };
 
-// Outputs: `diffuse`. Its alpha is 1 where a pixel was gathered for, 0 where it was interpolated.
+// Outputs: `diffuse`. Its alpha, "gathered", is 1 where a pixel was gathered for, 0 where it was
+// interpolated.
 //
 // Needs a host that renders the views of its lights; of the camera, view, depth and normal. What
 // emits, glossy reflection and further bounces give nothing. render() fails the frame

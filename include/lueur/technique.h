@@ -40,7 +40,7 @@ struct Inputs {
 // compute is invalid.
 struct Outputs {
   // rgba16f. rgb = E/pi, the indirect irradiance over pi, before albedo: the host composes
-  // `direct + albedo * diffuse + specular`. What alpha holds is told by the technique.
+  // `direct + albedo * diffuse + specular`. What alpha holds, TechniqueInfo says.
   Image diffuse;
   Image specular;   // rgba16f: outgoing indirect radiance through the glossy lobe, BRDF applied
   Image occlusion;  // r16f: 1 open, 0 closed
@@ -67,6 +67,10 @@ struct TechniqueInfo {
   std::string_view name;
   std::string_view summary;  // one sentence
   std::string_view source;   // the paper
+  // What the alpha of `Outputs::diffuse` holds, as a name in snake_case that is no other layer's of
+  // the program's EXR files; empty: nothing. What the name means its README says, but for
+  // "off_screen": the share of the technique's samples that fell outside of the picture.
+  std::string_view diffuse_alpha;
   std::span<const SettingInfo> settings;
   std::unique_ptr<Technique> (*make)();
   std::span<const Preset> presets{};
