@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// SOL's figures 5 and 6: what negative lights take away, and what they are off by.
+#include <algorithm>
+#include <string>
+
+#include "base/try.h"
+#include "paper_sol_parts.h"
+#include "reference_trace.h"
+
+namespace lueur::cli::sol {
+namespace {
+
+// What a setting is off by, against the sum over the same lights with shadow rays.
+Result<report::Table> error_table(Session& session, const PaperSetup& setup) {
+  report::Table table{"Off by, against the sum with shadow rays for as many lights", {}, {}};
+  table.columns = {{"", "", "", 3}};
+  for (const char* group : {"relative MSE", "bias"})
+    for (const char* heading : {"300, 0", "300, 150", "300, 600"})
+      table.columns.push_back({heading, "", group, 3});
+  const Extent size = error_size(setup);
+  for (const char* scene : {"floating-object", "still-life", "cornell"}) {
+    LUEUR_TRY(loaded, load_scene(scene));
+    LUEUR_TRY(truth, trace_reference(loaded.scene, {size.width, size.height, 0, 0.0f},
+                                     {.mode = reference::Mode::lights, .spp = 300}, "lights",
+                                     setup.stop, setup.cache));
+    if (setup.stop.stop_requested()) return table;
+    const Mask surfaces = mask_of(*find_layer(truth.rendering, "depth"));
+    LUEUR_TRY(candidates, light_candidates(session, setup, scene, size,
+                                           {lights(300, 0), lights(300, 150), lights(300, 600)}));
+    LUEUR_TRY(errors,
+              errors_of(session, candidates, *find_layer(truth.rendering, "indirect"), surfaces));
+    std::vector<report::Cell> row = {scene};
+    for (const SampleErrors& found : errors) row.emplace_back(found.rel_mse);
+    for (const SampleErrors& found : errors) row.emplace_back(found.bias);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+}  // namespace
+
+Result<report::FigureSection> negative_lights(Session& session, const PaperSetup& setup) {
+  LUEUR_TRY(exposure_ev, exposure_of(kScene));
+  report::PictureRow pictures{{}, "Figures 5 and 6: 300 lights, 150 negative ones."};
+  ImageF open;
+  for (const uint32_t negative : {0u, 150u}) {
+    LUEUR_TRY(candidates, light_candidates(session, setup, kScene, setup.picture_size,
+                                           {lights(300, negative, {"low_resolution=none"})}));
+    LUEUR_TRY(one, show(session, candidates.front(), exposure_ev));
+    pictures.pictures.push_back(
+        {shown(one.light, exposure_ev, 1.0f),
+         negative == 0 ? "The lights, before albedo, a stop brighter" : "And the negative ones",
+         {}});
+    if (negative == 0) {
+      open = one.light;
+    } else {
+      for (size_t i = 0; i < open.samples.size(); ++i)
+        open.samples[i] = std::max(open.samples[i] - one.light.samples[i], 0.0f);
+      pictures.pictures.push_back(
+          {shown(open, exposure_ev, 3.0f), "What these take away, four times as bright", {}});
+    }
+    pictures.pictures.push_back(
+        {std::move(one.composed), negative == 0 ? "Without" : "With negative lights", {}});
+  }
+  LUEUR_TRY(table, error_table(session, setup));
+  if (setup.stop.stop_requested()) return report::FigureSection{};
+  report::FigureSection section;
+  section.blocks = {
+      pictures, table,
+      report::Paragraph{
+          "The paper shows what negative lights change, without numbers. The sums are over lights "
+          "that exact rays place, in the same directions, at a quarter of the pictures' size."}};
+  return section;
+}
+
+}  // namespace lueur::cli::sol
