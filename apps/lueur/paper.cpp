@@ -26,7 +26,7 @@ constexpr PaperFigure kFdpFigures[] = {
 };
 
 constexpr PaperFigure kSolFigures[] = {
-    {"1", "Table 1: what lights cost", sol::light_costs},
+    {"1", "Table 1: what lights cost, and gain", sol::light_costs},
     {"2", "Table 2, figures 4 and 7: low resolution first", sol::low_resolution},
     {"5", "Figures 5 and 6: what negative lights take away", sol::negative_lights},
 };

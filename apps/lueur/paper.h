@@ -69,7 +69,7 @@ Result<report::FigureSection> starts(Session& session, const PaperSetup& setup);
 
 // SOL: Cochran, Steele, ACMSE 2007.
 namespace sol {
-// Table 1: what lights cost.
+// Table 1: what lights cost, and what they are off by.
 Result<report::FigureSection> light_costs(Session& session, const PaperSetup& setup);
 // Table 2 and figures 4 and 7: what is gained, and lost, by a low resolution.
 Result<report::FigureSection> low_resolution(Session& session, const PaperSetup& setup);

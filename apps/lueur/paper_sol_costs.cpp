@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SOL's table 1: what lights cost.
+// SOL's table 1: what lights cost, and then what they are off by.
 #include <string>
 
 #include "base/try.h"
@@ -37,6 +37,8 @@ Result<report::FigureSection> light_costs(Session& session, const PaperSetup& se
           "The paper's time is that of a whole frame, ours that of the technique's passes. In the "
           "paper negative lights cost more than others, as they are found for all pixels; here "
           "they are found for those that become lights, and cost as much as others."}};
+  LUEUR_TRY(errors, errors_by_lights(session, setup));
+  section.blocks.insert(section.blocks.end(), errors.begin(), errors.end());
   return section;
 }
 

@@ -17,7 +17,8 @@ Result<report::Table> error_table(Session& session, const PaperSetup& setup) {
   for (const char* group : {"relative MSE", "bias"})
     for (const char* heading : {"300, 0", "300, 150", "300, 600"})
       table.columns.push_back({heading, "", group, 3});
-  const Extent size = error_size(setup);
+  const Extent size{std::max(setup.picture_size.width / 4, 1u),
+                    std::max(setup.picture_size.height / 4, 1u)};
   for (const char* scene : {"floating-object", "still-life", "cornell"}) {
     LUEUR_TRY(loaded, load_scene(scene));
     LUEUR_TRY(truth, trace_reference(loaded.scene, {size.width, size.height, 0, 0.0f},

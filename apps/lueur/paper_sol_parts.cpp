@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/try.h"
+#include "image/tone_map.h"
 #include "picture.h"
 
 namespace lueur::cli::sol {
@@ -62,10 +63,6 @@ Result<std::vector<SampleErrors>> errors_of(Session& session, std::vector<Candid
         sample_errors(as_image(*find_pixels(frame.pixels, "indirect"), 3), truth, &surfaces));
   }
   return errors;
-}
-
-Extent error_size(const PaperSetup& setup) {
-  return {std::max(setup.picture_size.width / 4, 1u), std::max(setup.picture_size.height / 4, 1u)};
 }
 
 }  // namespace lueur::cli::sol

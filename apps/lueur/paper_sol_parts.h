@@ -41,7 +41,7 @@ Result<Shown> show(Session& session, Candidate& candidate, float exposure_ev);
 Result<std::vector<SampleErrors>> errors_of(Session& session, std::vector<Candidate>& candidates,
                                             const ImageF& truth, const Mask& surfaces);
 
-// That of tables of errors: a quarter of the pictures'.
-Extent error_size(const PaperSetup& setup);
+// A table: what is off by how many lights, at an eighth of the pictures' size.
+Result<std::vector<report::Block>> errors_by_lights(Session& session, const PaperSetup& setup);
 
 }  // namespace lueur::cli::sol
