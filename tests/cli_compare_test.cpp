@@ -175,7 +175,20 @@ TEST_F(CliCompare, PaperOfLightsHasItsTables) {
   ASSERT_EQ(ended.code, 0) << ended.err;
   const Json printed = Json::parse(ended.out);
   ASSERT_EQ(printed["sections"].size(), 3u);
-  EXPECT_EQ(rows_of(printed["sections"][0]).size(), 6u);
+  const std::vector<Json> lights = rows_of(printed["sections"][0]);
+  ASSERT_EQ(lights.size(), 6u + 7u);
+  const Json &fewest = lights[6], &most = lights[10], &many = lights[11], &exponents = lights[12];
+  EXPECT_EQ(fewest[0], "30");
+  EXPECT_EQ(most[0], "2000");
+  // By scene: ours, and the sum with shadow rays. Both fall with the number of lights, ours to what
+  // is left of very many lights where nothing is blocked.
+  for (const size_t ours : {1u, 3u, 5u}) {
+    EXPECT_LT(most[ours + 1].get<double>(), 0.5 * fewest[ours + 1].get<double>());
+    EXPECT_LT(exponents[ours + 1].get<double>(), -0.2);
+    EXPECT_NEAR(most[ours].get<double>() / many[ours].get<double>(), 1.0, 0.5);
+  }
+  // In the atrium much is blocked.
+  EXPECT_GT(most[5].get<double>(), 3.0 * most[6].get<double>());
   // Low shares as asked for, and the fewer, the less is off.
   const std::vector<Json> shares = rows_of(printed["sections"][1]);
   ASSERT_EQ(shares.size(), 4u);

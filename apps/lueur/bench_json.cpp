@@ -104,7 +104,7 @@ Json bench_json(const BenchReport& report) {
   json["environment"] = environment_json(report.setup.environment);
   json["seed"] = report.setup.seed;
   json["frames"] = report.frames;
-  json["warm_up_frames"] = kWarmUpFrames;
+  json["warm_up_frames"] = warm_up_frames(report.frames);
   json["memory_bytes"] = report.memory.total_bytes;
   json["peak_memory_bytes"] = report.memory.peak_bytes;
   if (candidates.size() == 1) {

@@ -32,7 +32,8 @@ Result<std::shared_ptr<SceneUnderTest>> scene_named(const std::string& name,
   for (const std::string& warning : renderer->warnings()) print_warning(warning);
   const uint64_t bytes = session.context.memory().total_bytes - before;
   scenes.push_back(std::make_shared<SceneUnderTest>(
-      SceneUnderTest{name, triangle_count(loaded.scene), cameras, bytes, std::move(renderer)}));
+      SceneUnderTest{name, triangle_count(loaded.scene), cameras,
+                     loaded.scene.exposure_ev.value_or(0.0f), bytes, std::move(renderer)}));
   return scenes.back();
 }
 

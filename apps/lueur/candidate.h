@@ -18,7 +18,8 @@ struct SceneUnderTest {
   std::string name;  // as given
   uint64_t triangles = 0;
   Cameras cameras;
-  uint64_t bytes = 0;  // of device memory
+  float exposure_ev = 0.0f;  // that the scene asks for; 0 where it asks for none
+  uint64_t bytes = 0;        // of device memory
   std::unique_ptr<Renderer> renderer;
 };
 

@@ -76,7 +76,7 @@ TEST_F(CandidateTest, EachRemembersItsOwnLastFrame) {
     candidate.technique.technique = std::move(technique);
   }
   ASSERT_TRUE(time_in_turn(*session_, candidates_, 2).ok());
-  std::vector<bool> expected(kWarmUpFrames + 2 * 2, true);
+  std::vector<bool> expected(2 + 2 * 2, true);
   expected[0] = false;  // nothing to remember yet
   for (const Remembering* technique : techniques) EXPECT_EQ(technique->remembered, expected);
 }

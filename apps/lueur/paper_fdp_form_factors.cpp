@@ -21,7 +21,6 @@ double largest_over_mean(const ImageF& light, const Mask& surfaces) {
 }  // namespace
 
 Result<report::FigureSection> form_factors(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kScene));
   const uint32_t side = setup.picture_size.height;  // the box is as wide as it is high
   std::vector<CandidateRequest> requests;
   for (const char* form_factor : {"point", "disc"}) {
@@ -32,6 +31,7 @@ Result<report::FigureSection> form_factors(Session& session, const PaperSetup& s
     requests.push_back(std::move(request));
   }
   LUEUR_TRY(candidates, paper_candidates(session, std::move(requests), setup));
+  const float exposure_ev = candidates.front().scene->exposure_ev;
   LUEUR_TRY(point, render_seeds(session, candidates[0], "indirect", kSeeds));
   LUEUR_TRY(disc, render_seeds(session, candidates[1], "indirect", kSeeds));
 

@@ -34,8 +34,8 @@ Result<std::vector<Candidate>> candidates_on(Session& session, const Scene& scen
                                              const PaperSetup& setup,
                                              std::vector<std::vector<std::string>> settings) {
   LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, scene));
-  const auto shared = std::make_shared<SceneUnderTest>(
-      SceneUnderTest{kScene, triangle_count(scene), {}, 0, std::move(renderer)});
+  const auto shared = std::make_shared<SceneUnderTest>(SceneUnderTest{
+      kScene, triangle_count(scene), {}, scene.exposure_ev.value_or(0.0f), 0, std::move(renderer)});
   std::vector<Candidate> candidates;
   for (const std::vector<std::string>& one : settings) {
     LUEUR_TRY(technique, choose_technique("hierarchical", one));

@@ -49,10 +49,10 @@ std::string name_of(const Setup& s) {
 }  // namespace
 
 Result<report::FigureSection> starts(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kStartsScene));
   const Extent half{std::max(setup.picture_size.width / 2, 1u),
                     std::max(setup.picture_size.height / 2, 1u)};
   LUEUR_TRY(candidates, make(session, setup.picture_size, half, setup));
+  const float exposure_ev = candidates.front().scene->exposure_ev;
   report::PictureRow light{{}, "Incident indirect light, E/π before albedo, one stop brighter."};
   report::PictureRow composed{{}, "atrium, and what indirect light adds to it."};
   for (size_t i = 0; i < std::size(kSetups); ++i) {

@@ -31,13 +31,6 @@ std::vector<Variant> variants() {
           {"voxels of the samples' level, 8 steps", {on, own}}};
 }
 
-ImageF taken_away(const ImageF& without, const ImageF& with) {
-  ImageF difference = without;
-  for (size_t i = 0; i < difference.samples.size(); ++i)
-    difference.samples[i] = std::max(without.samples[i] - with.samples[i], 0.0f);
-  return difference;
-}
-
 std::vector<report::Cell> row_of(const std::string& name, const ImageF& without, const ImageF& with,
                                  const Mask& surfaces) {
   const double all = mean_luminance(without, surfaces);
@@ -65,7 +58,6 @@ Result<std::vector<report::Cell>> traced_row(const PaperSetup& setup) {
 }  // namespace
 
 Result<report::FigureSection> visibility(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kMarchScene));
   const std::vector<Variant> all = variants();
   std::vector<CandidateRequest> requests;
   for (const Variant& variant : all) {
@@ -75,6 +67,7 @@ Result<report::FigureSection> visibility(Session& session, const PaperSetup& set
     requests.push_back(std::move(request));
   }
   LUEUR_TRY(candidates, paper_candidates(session, std::move(requests), setup));
+  const float exposure_ev = candidates.front().scene->exposure_ev;
 
   report::PictureRow pictures{{},
                               "table, indirect light only, E/π two stops brighter; half start, 5 "

@@ -15,7 +15,6 @@ constexpr uint32_t kLevels = 4;
 }  // namespace
 
 Result<report::FigureSection> level_shares(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of("spot-floor"));
   std::vector<CandidateRequest> requests;
   for (uint32_t only = 0; only <= kLevels; ++only) {
     LUEUR_TRY(request, hierarchical_request(
@@ -25,6 +24,7 @@ Result<report::FigureSection> level_shares(Session& session, const PaperSetup& s
     requests.push_back(std::move(request));
   }
   LUEUR_TRY(candidates, paper_candidates(session, std::move(requests), setup));
+  const float exposure_ev = candidates.front().scene->exposure_ev;
 
   // One frame with all levels, and one with each alone.
   LUEUR_TRY(whole, render_candidate(session, candidates[0], kAllImages));

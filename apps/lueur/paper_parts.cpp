@@ -37,9 +37,11 @@ Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev) {
   return to_display(light, exposure_ev + brighter_ev, ToneMap::khronos_neutral);
 }
 
-Result<float> exposure_of(const std::string& scene) {
-  LUEUR_TRY(loaded, load_scene(scene));
-  return loaded.scene.exposure_ev.value_or(0.0f);
+ImageF taken_away(const ImageF& without, const ImageF& with) {
+  ImageF difference = without;
+  for (size_t i = 0; i < difference.samples.size(); ++i)
+    difference.samples[i] = std::max(without.samples[i] - with.samples[i], 0.0f);
+  return difference;
 }
 
 double mean_luminance(const ImageF& light, const Mask& surfaces) {

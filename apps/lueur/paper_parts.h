@@ -34,8 +34,8 @@ Result<std::vector<Candidate>> paper_candidates(Session& session,
 // Light for the page, `brighter_ev` stops over the exposure of the scene.
 Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev = 0.0f);
 
-// The exposure that the scene asks for.
-Result<float> exposure_of(const std::string& scene);
+// without - with, as far as that is above 0.
+ImageF taken_away(const ImageF& without, const ImageF& with);
 
 // Of the pixels that show a surface; 0 without any.
 double mean_luminance(const ImageF& light, const Mask& surfaces);

@@ -48,7 +48,7 @@ Result<Errors> measure(Session& session, const PaperSetup& setup, const std::str
   for (const uint32_t count : kCounts) {
     LUEUR_TRY(error, error_of(reference::Mode::lights, count));
     errors.with_shadows.push_back(error);
-    settings.push_back(lights(count, 0, {"low_resolution=none", "light_view_px=2048"}));
+    settings.push_back(lights(count, 0, {"low_resolution=none"}));
     if (setup.stop.stop_requested()) return errors;
   }
   LUEUR_TRY(of_many, error_of(reference::Mode::lights_unoccluded, kManyRays));

@@ -33,17 +33,15 @@ std::string discontinuity(double threshold) {
 
 // The setting at which this share of the pixels is low: it grows with the threshold. `trial` is a
 // candidate to try them with.
-Result<std::string> settings_for(Session& session, Candidate& trial, const ShareRow& row) {
+Result<std::string> setting_for(Session& session, Candidate& trial, const ShareRow& row) {
   if (row.low_share == 0.0) return std::string("low_resolution=none");
   if (row.low_share == 1.0) return discontinuity(4.0);
-  constexpr int kSteps = 10;
-  double low = std::log(1e-5), high = std::log(4.0);
+  constexpr int kSteps = 8;
+  double low = std::log(1e-4), high = std::log(1.0);
   for (int i = 0; i < kSteps; ++i) {
     const double middle = 0.5 * (low + high);
-    const ChosenTechnique& chosen = trial.technique;
-    LUEUR_TRY_VOID(set_from_text(chosen.info->settings, chosen.technique->settings(),
-                                 "discontinuity", std::to_string(std::exp(middle))));
-    LUEUR_TRY(one, show(session, trial, 0.0f));
+    LUEUR_TRY_VOID(change(trial.technique, "--set", discontinuity(std::exp(middle))));
+    LUEUR_TRY(one, show(session, trial));
     (one.low_share < row.low_share ? low : high) = middle;
   }
   return discontinuity(std::exp(0.5 * (low + high)));
@@ -52,21 +50,24 @@ Result<std::string> settings_for(Session& session, Candidate& trial, const Share
 }  // namespace
 
 Result<report::FigureSection> low_resolution(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kScene));
-  std::vector<LightSettings> settings;
+  // Which pixels are low does not depend on the lights. All show one scene, as loading it takes
+  // longer than most of the frames.
+  std::vector<LightSettings> settings(std::size(kShares), lights(300, 150));
+  settings.push_back(lights(1, 0, {"light_view_px=16"}));
+  LUEUR_TRY(candidates, light_candidates(session, setup, kScene, setup.table_size, settings));
   std::vector<std::string> names;
-  LUEUR_TRY(trials, light_candidates(session, setup, kScene, setup.table_size, {lights(1, 0)}));
-  for (const ShareRow& row : kShares) {
-    LUEUR_TRY(found, settings_for(session, trials.front(), row));
+  for (size_t i = 0; i < std::size(kShares); ++i) {
+    LUEUR_TRY(found, setting_for(session, candidates.back(), kShares[i]));
+    LUEUR_TRY_VOID(change(candidates[i].technique, "--set", found));
+    candidates[i].label = candidates[i].technique.label;
     names.push_back(found);
-    settings.push_back(lights(300, 150, {found}));
     if (setup.stop.stop_requested()) return report::FigureSection{};
   }
-  LUEUR_TRY(candidates, light_candidates(session, setup, kScene, setup.table_size, settings));
+  candidates.pop_back();
   LUEUR_TRY(rounds, time_in_turn(session, candidates, setup.frames));
   std::vector<Shown> all;
   for (Candidate& candidate : candidates) {
-    LUEUR_TRY(one, show(session, candidate, exposure_ev));
+    LUEUR_TRY(one, show(session, candidate));
     all.push_back(std::move(one));
   }
 

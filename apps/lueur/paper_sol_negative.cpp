@@ -41,28 +41,23 @@ Result<report::Table> error_table(Session& session, const PaperSetup& setup) {
 }  // namespace
 
 Result<report::FigureSection> negative_lights(Session& session, const PaperSetup& setup) {
-  LUEUR_TRY(exposure_ev, exposure_of(kScene));
+  LUEUR_TRY(candidates, light_candidates(session, setup, kScene, setup.picture_size,
+                                         {lights(300, 0, {"low_resolution=none"}),
+                                          lights(300, 150, {"low_resolution=none"})}));
+  const float exposure_ev = candidates.front().scene->exposure_ev;
   report::PictureRow pictures{{}, "Figures 5 and 6: 300 lights, 150 negative ones."};
   ImageF open;
-  for (const uint32_t negative : {0u, 150u}) {
-    LUEUR_TRY(candidates, light_candidates(session, setup, kScene, setup.picture_size,
-                                           {lights(300, negative, {"low_resolution=none"})}));
-    LUEUR_TRY(one, show(session, candidates.front(), exposure_ev));
-    pictures.pictures.push_back(
-        {shown(one.light, exposure_ev, 1.0f),
-         negative == 0 ? "The lights, before albedo, a stop brighter" : "And the negative ones",
-         {}});
-    if (negative == 0) {
-      open = one.light;
-    } else {
-      for (size_t i = 0; i < open.samples.size(); ++i)
-        open.samples[i] = std::max(open.samples[i] - one.light.samples[i], 0.0f);
-      pictures.pictures.push_back(
-          {shown(open, exposure_ev, 3.0f), "What these take away, four times as bright", {}});
-    }
-    pictures.pictures.push_back(
-        {std::move(one.composed), negative == 0 ? "Without" : "With negative lights", {}});
-  }
+  LUEUR_TRY(without, show(session, candidates[0]));
+  LUEUR_TRY(with, show(session, candidates[1]));
+  const auto add = [&](Image8 picture, const char* caption) {
+    pictures.pictures.push_back({std::move(picture), caption, {}});
+  };
+  add(shown(without.light, exposure_ev, 1.0f), "The lights, before albedo, a stop brighter");
+  add(std::move(without.composed), "Without");
+  add(shown(with.light, exposure_ev, 1.0f), "And the negative ones");
+  add(shown(taken_away(without.light, with.light), exposure_ev, 3.0f),
+      "What these take away, four times as bright");
+  add(std::move(with.composed), "With negative lights");
   LUEUR_TRY(table, error_table(session, setup));
   if (setup.stop.stop_requested()) return report::FigureSection{};
   report::FigureSection section;

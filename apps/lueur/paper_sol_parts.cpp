@@ -35,7 +35,7 @@ std::string place_and_rounds(const PaperSetup& setup) {
          " rounds. The paper has a bunny in a box at 640 x 480 on a Quadro FX 5500.";
 }
 
-Result<Shown> show(Session& session, Candidate& candidate, float exposure_ev) {
+Result<Shown> show(Session& session, Candidate& candidate) {
   LUEUR_TRY(frame, render_candidate(session, candidate, {"indirect", "depth", "composed"}));
   const Pixels& indirect = *find_pixels(frame.pixels, "indirect");
   const Mask surfaces = mask_of(as_image(*find_pixels(frame.pixels, "depth"), 1));
@@ -50,7 +50,8 @@ Result<Shown> show(Session& session, Candidate& candidate, float exposure_ev) {
   }
   result.low_share = low / std::max(static_cast<double>(surfaces.pixel_count()), 1.0);
   result.gathered = to_display(gathered, 0.0f, ToneMap::none);
-  result.composed = shown(as_image(*find_pixels(frame.pixels, "composed"), 3), exposure_ev);
+  result.composed =
+      shown(as_image(*find_pixels(frame.pixels, "composed"), 3), candidate.scene->exposure_ev);
   return result;
 }
 

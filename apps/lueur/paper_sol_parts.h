@@ -35,7 +35,7 @@ struct Shown {
   Image8 composed;
   double low_share = 0.0;  // of the pixels that show a surface
 };
-Result<Shown> show(Session& session, Candidate& candidate, float exposure_ev);
+Result<Shown> show(Session& session, Candidate& candidate);
 
 // What the candidates' indirect light is off by, in their order.
 Result<std::vector<SampleErrors>> errors_of(Session& session, std::vector<Candidate>& candidates,

@@ -95,9 +95,10 @@ std::optional<double> ratio(const Frames& frames, const Frames& first, MsOf ms_o
 
 Result<Rounds> timed_rounds(Session& session, std::span<Candidate> candidates, uint32_t rounds) {
   Rounds times(candidates.size());
-  for (uint32_t round = 0; round < kWarmUpFrames + rounds; ++round) {
+  const uint32_t warm_up = warm_up_frames(rounds);
+  for (uint32_t round = 0; round < warm_up + rounds; ++round) {
     for (size_t i = 0; i < candidates.size(); ++i) {
-      if (round < kWarmUpFrames) {
+      if (round < warm_up) {
         LUEUR_TRY_VOID(render_candidate(session, candidates[i], {}));
         continue;
       }

@@ -12,7 +12,10 @@
 
 namespace lueur::cli {
 
-inline constexpr uint32_t kWarmUpFrames = 3;
+// Frames before those that count: no more than count, as then nobody asks for accuracy.
+constexpr uint32_t warm_up_frames(uint32_t rounds) {
+  return rounds < 3 ? rounds : 3;
+}
 
 // What a candidate's turn took, two frames: the first with a timer for each pass, the second with
 // one for all that an owner's passes take together. A timer costs time of its own, on a CPU device
@@ -30,7 +33,7 @@ struct FrameTimes {
 using Rounds = std::vector<std::vector<FrameTimes>>;
 
 // Renders A A B B C C A A …, so that what slows the machine down for a while slows all of them:
-// first kWarmUpFrames rounds of one frame each that do not count, then `rounds`.
+// first warm_up_frames() rounds of one frame each that do not count, then `rounds`.
 Result<Rounds> time_in_turn(Session& session, std::span<Candidate> candidates, uint32_t rounds);
 
 // Of one pass, or of a group of passes: "hierarchical.gather" is all "hierarchical.gather@K".
