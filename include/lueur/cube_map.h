@@ -31,6 +31,7 @@ namespace lueur {
 struct CubeMapSettings {
   enum class Side : int32_t { of_2, of_4, of_8, of_16, of_32, of_64, of_128, of_256 };
   enum class Picture : int32_t { of_64, of_128, of_256, of_512 };
+  enum class Centre : int32_t { object, scene };
   enum class Method : int32_t { localized, classical };
 
   Side side = Side::of_4;             // M, texels; not above `picture`
@@ -38,6 +39,7 @@ struct CubeMapSettings {
   Method method = Method::localized;
   bool glossy = false;
   float blinn_exponent = 0.0f;
+  Centre centre = Centre::object;
   int32_t most_maps = 16;
   float share = 2.0f;
   int32_t probes = 1;

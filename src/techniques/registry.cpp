@@ -15,7 +15,7 @@ std::unique_ptr<Technique> make() {
 
 const TechniqueInfo kTechniques[] = {
     {"cube_map", "Localized cube maps around moving objects, and probes for what stands still.",
-     "Szirmay-Kalos, Lazányi 2006, SCCG", CubeMap::settings_table(), make<CubeMap>},
+     "Szirmay-Kalos, Lazányi 2006, SCCG", "own_map", CubeMap::settings_table(), make<CubeMap>},
     {"hierarchical", "Rings of samples in a pyramid of the camera's own G-buffer.",
      "Soler, Hoel, Rochet, Holzschuch 2009, INRIA RR-7162", "off_screen",
      Hierarchical::settings_table(), make<Hierarchical>, hierarchical_presets()},

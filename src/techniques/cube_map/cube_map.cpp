@@ -18,6 +18,7 @@ using cube_map::side_of;
 
 constexpr std::string_view kSideNames[] = {"2", "4", "8", "16", "32", "64", "128", "256"};
 constexpr std::string_view kPictureNames[] = {"64", "128", "256", "512"};
+constexpr std::string_view kCentreNames[] = {"object", "scene"};
 constexpr std::string_view kMethodNames[] = {"localized", "classical"};
 
 constexpr std::array kSettings = {
@@ -32,6 +33,9 @@ constexpr std::array kSettings = {
     setting<&Settings::blinn_exponent>(
         "blinn_exponent", 0, 1000, "",
         "Shininess of the paper's lobe, which then all surfaces have; 0: their own lobes."),
+    choice<&Settings::centre>("centre", kCentreNames,
+                              "Where maps of objects stand: in the middle of their objects, or of "
+                              "all that is drawn."),
     setting<&Settings::most_maps>("most_maps", 1, 64, "maps",
                                   "Of objects. With more of those, more of them share a map."),
     setting<&Settings::share>(

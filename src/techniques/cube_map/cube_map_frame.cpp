@@ -64,7 +64,8 @@ void CubeMapFrame::capture() {
   const std::span<const MovingObject> objects =
       has_objects_ ? host.objects() : std::span<const MovingObject>{};
   maps_.update(objects, host.lights(), host.bounds(),
-               {settings_.most_maps, settings_.share, settings_.probes, settings_.move_threshold});
+               {settings_.most_maps, settings_.share, settings_.probes, settings_.move_threshold,
+                settings_.centre == CubeMapSettings::Centre::scene});
   if (maps_.maps().empty()) return;
 
   bool lasts = keep("cube_map.atlas", {6 * side_, side_}, kCubeTexelFormat, atlas_);

@@ -214,6 +214,17 @@ class CubeMapTest : public GpuTest {
   glm::dvec3 normal(size_t i) const { return glm::dvec3(g_.normal[i]); }
   uint32_t side() const { return 2u << static_cast<uint32_t>(settings_.side); }
 
+  // The balls' pixels of the last frame against the sum over one map.
+  void expect_of_map(const BallHost& host, const std::vector<ExactTexel>& map) {
+    const Light found = all("diffuse");
+    for (size_t i = 0; i < found.size(); ++i) {
+      if (g_.depth[i] == 0 || !host.ball_at(position(i))) continue;
+      const glm::dvec3 n = normal(i);
+      const auto cosine = [&](const glm::dvec3& l) { return std::max(glm::dot(n, l), 0.0); };
+      const glm::dvec3 want = exact_sum(map, position(i), true, cosine) / kPi;
+      for (int k = 0; k < 3; ++k) ASSERT_NEAR(found[i][k], want[k], 1e-3 * want[k] + 2e-5) << i;
+    }
+  }
   // Each pixel against the sum over its own map: of its ball, or the room's one probe.
   void expect_diffuse(BallHost& host) {
     render(host);
@@ -290,6 +301,15 @@ TEST_F(CubeMapTest, AFurnaceIsUniform) {
   }
 }
 
+// LCM 6: the paper's room has one map in its middle, wherever the object is.
+TEST_F(CubeMapTest, AMapMayStandInTheMiddleOfTheScene) {
+  settings_.centre = Settings::Centre::scene;
+  settings_.probes = 0;
+  BallHost host(room, {{{-1.3, -0.5, -0.5}, 0.7}});
+  render(host);
+  expect_of_map(host, exact_map(host.without(std::vector{0u}), {0, 0, 0}, side()));
+}
+
 // LCM 5's lobe, with all that a point reflects; a map of 16 x 16 texels is enough to tell signs.
 TEST_F(CubeMapTest, BlinnsLobeIsSummedTheSameWay) {
   settings_.glossy = true;
@@ -338,17 +358,7 @@ TEST_F(CubeMapTest, NeighboursShareAMap) {
   BallHost host(room, {{{-0.6, 0, 0}, 0.5}, {{0.6, 0, 0}, 0.5}});
   render(host);
   EXPECT_EQ(host.views, 6);
-  const auto map = exact_map(host.without(std::vector{0u, 1u}), {0, 0, 0}, side());
-  const Light found = all("diffuse");
-  for (size_t i = 0; i < found.size(); ++i) {
-    if (g_.depth[i] == 0 || !host.ball_at(position(i))) continue;
-    const glm::dvec3 n = normal(i);
-    const glm::dvec3 want =
-        exact_sum(map, position(i), true,
-                  [&](const glm::dvec3& l) { return std::max(glm::dot(n, l), 0.0); }) /
-        kPi;
-    for (int k = 0; k < 3; ++k) ASSERT_NEAR(found[i][k], want[k], 1e-3 * want[k] + 2e-5) << i;
-  }
+  expect_of_map(host, exact_map(host.without(std::vector{0u, 1u}), {0, 0, 0}, side()));
 }
 
 // What stands still is captured once; what moves, so many faces a frame, and after all of them the

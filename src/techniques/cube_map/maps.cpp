@@ -139,7 +139,7 @@ void Maps::update(std::span<const MovingObject> objects, std::span<const Punctua
   for (Map& map : maps_) {
     if (map.is_probe()) continue;
     map.box = around(objects, map.objects);
-    map.centre = centre_of(map.box);
+    map.centre = centre_of(rules.in_the_middle ? bounds : map.box);
   }
   if (world_ == 0 || has_changed(objects, lights, rules.move_threshold)) {
     ++world_;

@@ -18,6 +18,7 @@ struct MapRules {
   float share = 2.0f;            // in radii of the largest object of a map
   int probes = 1;                // along the longest side of what is drawn
   float move_threshold = 0.02f;  // in radii
+  bool in_the_middle = false;    // of all that is drawn, instead of the objects
 };
 
 struct MapFace {
