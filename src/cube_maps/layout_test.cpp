@@ -2,6 +2,7 @@
 // Structures lie as the shaders read them.
 #include "support/layout.h"
 
+#include "cube_maps/equations.h"
 #include "cube_maps/params.h"
 #include "cube_maps/shaders.h"
 
@@ -16,6 +17,12 @@ TEST(CubeMapsLayout, StructuresLieAsTheShadersReadThem) {
   expect_layout(shaders::cube_maps_average_comp, "push", sizeof(AverageParams),
                 {LUEUR_MEMBER(AverageParams, extent), LUEUR_MEMBER(AverageParams, corner),
                  LUEUR_MEMBER(AverageParams, factor)});
+  expect_layout(shaders::cube_maps_place_comp, "push", sizeof(PlaceParams),
+                {LUEUR_MEMBER(PlaceParams, screen), LUEUR_MEMBER(PlaceParams, side),
+                 LUEUR_MEMBER(PlaceParams, map), LUEUR_MEMBER(PlaceParams, texels)});
+  expect_layout(shaders::cube_maps_place_comp, "texels", sizeof(TexelLight),
+                {LUEUR_MEMBER(TexelLight, position), LUEUR_MEMBER(TexelLight, gain),
+                 LUEUR_MEMBER(TexelLight, radiance), LUEUR_MEMBER(TexelLight, shrink)});
 }
 
 }  // namespace

@@ -22,6 +22,14 @@ struct AverageParams {
   int factor;
 };
 
+// A map's texels are those of its six faces, side by side in a row of the atlas.
+struct PlaceParams {
+  Screen screen;  // of a face of side x side texels
+  int side;
+  int map;
+  uint texels;
+};
+
 LUEUR_NAMESPACE_END
 
 #endif

@@ -5,9 +5,9 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "cube_maps/equations.h"
+#include "cube_maps/params.h"
 #include "shading/brdf.h"
 #include "shading/packing.h"
-#include "techniques/cube_map/params.h"
 #include "techniques/cube_map/panorama.glsl"
 
 layout(local_size_x = 64, local_size_y = 1) in;

@@ -5,7 +5,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "cube_maps/cube_capture.h"
-#include "cube_maps/equations.h"
 #include "frame/screen_of_view.h"
 #include "lights/square_views.h"
 #include "techniques/cube_map/pixel_box.h"
@@ -25,10 +24,8 @@ float far_of(const Box& bounds) {
   return std::clamp(2.0f * glm::length(high - low), 1.0f, 1e6f);
 }
 
-// What takes a face's view space to the world.
-glm::mat4 world_from_face(const Map& map, size_t face) {
-  return glm::inverse(
-      glm::make_mat4(cube_views(map.faces[face].origin)[face].view_from_world.data()));
+glm::mat4 to_world(const Map& map, size_t face) {
+  return world_from_face(cube_views(map.faces[face].origin)[face]);
 }
 
 }  // namespace
@@ -44,8 +41,7 @@ CubeMapFrame::CubeMapFrame(Frame& frame, const CubeMapSettings& settings, const 
       camera_from_world_(glm::make_mat4(inputs.view.view_from_world.data())),
       camera_{screen_of_view(inputs.view, extent_), glm::mat3(camera_from_world_),
               as_ivec2(extent_)},
-      side_(side_of(settings.side)),
-      texels_a_map_(6 * side_ * side_),
+      atlas_{{}, side_of(settings.side), {}},
       has_objects_(inputs.g_buffer.object.valid() && !inputs.host->objects().empty()),
       object_(has_objects_ ? inputs.g_buffer.object : inputs.g_buffer.normal) {}
 
@@ -68,7 +64,8 @@ void CubeMapFrame::capture() {
                 settings_.centre == CubeMapSettings::Centre::scene});
   if (maps_.maps().empty()) return;
 
-  bool lasts = keep("cube_map.atlas", {6 * side_, side_}, kCubeTexelFormat, atlas_);
+  bool lasts =
+      keep("cube_map.atlas", {6 * atlas_.side, atlas_.side}, kCubeTexelFormat, atlas_.texels);
   if (is_classical())
     lasts &= keep("cube_map.panoramas", {kPanoramas * kPanoramaSide, kPanoramaSide},
                   Format::rgba16f, panoramas_);
@@ -81,10 +78,10 @@ void CubeMapFrame::capture() {
     const View view = cube_views(map.faces[i.face].origin)[i.face];
     capture_face(public_frame_, host, view,
                  {.picture_px = pixels_of(settings_.picture),
-                  .side = side_,
+                  .side = atlas_.side,
                   .without = map.objects,
                   .far_m = far_of(host.bounds())},
-                 atlas_, glm::ivec2(i.face, i.map) * static_cast<int>(side_));
+                 atlas_.texels, glm::ivec2(i.face, i.map) * static_cast<int>(atlas_.side));
     is_new[i.map] = true;
   }
   upload();
@@ -98,39 +95,24 @@ void CubeMapFrame::upload() {
   std::vector<glm::mat4> to_world_or_camera;
   for (const Map& map : maps_.maps())
     for (size_t face = 0; face < 6; ++face)
-      to_world_or_camera.push_back(is_classical()
-                                       ? world_from_face(map, face)
-                                       : camera_from_world_ * world_from_face(map, face));
-  faces_ = frame_.upload(to_world_or_camera);
+      to_world_or_camera.push_back(is_classical() ? to_world(map, face)
+                                                  : camera_from_world_ * to_world(map, face));
+  atlas_.from_faces = frame_.upload(to_world_or_camera);
   std::vector<uint32_t> map_of_object = maps_.map_of_object();
   if (map_of_object.empty()) map_of_object.push_back(0);
   map_of_object_ = frame_.upload(map_of_object);
   lobes_ = frame_.upload(lobe_data(inputs_.lobes));
   if (!is_classical())
-    texels_ = frame_.buffer("texels", uint64_t{texels_a_map_} * sizeof(TexelLight));
-}
-
-PlaceParams CubeMapFrame::place_params(uint32_t map) const {
-  return {screen_of_view(cube_views({}).front(), {side_, side_}), static_cast<int>(side_),
-          static_cast<int>(map), texels_a_map_};
+    texels_ = frame_.buffer("texels", uint64_t{atlas_.texels_a_map()} * sizeof(TexelLight));
 }
 
 void CubeMapFrame::convolve(uint32_t map) {
-  const PlaceParams params = place_params(map);
-  frame_.dispatch("cube_map.convolve", {.shader = shaders::techniques_cube_map_convolve_comp,
-                                        .params = params,
-                                        .read = {{"atlas", atlas_}, {"faces", faces_}},
-                                        .write = {{"panoramas", panoramas_}},
-                                        .over = {kPanoramas * kPanoramaSide, kPanoramaSide}});
-}
-
-void CubeMapFrame::place(uint32_t map) {
-  const PlaceParams params = place_params(map);
-  frame_.dispatch("cube_map.place", {.shader = shaders::techniques_cube_map_place_comp,
-                                     .params = params,
-                                     .read = {{"atlas", atlas_}, {"faces", faces_}},
-                                     .write = {{"texels", texels_}},
-                                     .over = {texels_a_map_, 1}});
+  frame_.dispatch("cube_map.convolve",
+                  {.shader = shaders::techniques_cube_map_convolve_comp,
+                   .params = place_params(atlas_, map),
+                   .read = {{"atlas", atlas_.texels}, {"faces", atlas_.from_faces}},
+                   .write = {{"panoramas", panoramas_}},
+                   .over = {kPanoramas * kPanoramaSide, kPanoramaSide}});
 }
 
 MapShare CubeMapFrame::share_of(uint32_t index) const {
@@ -161,9 +143,9 @@ void CubeMapFrame::gather_from(uint32_t index, Image sum, bool glossy) {
   GatherParams params{camera_, share_of(index),         pixels.first, pixels.end, 0,
                       0,       settings_.blinn_exponent};
   if (is_classical()) return dispatch_gather(params, sum, glossy);
-  place(index);
-  for (; params.first_texel < texels_a_map_; params.first_texel = params.end_texel) {
-    params.end_texel = std::min(params.first_texel + kMostTexelsAPass, texels_a_map_);
+  place_texels(frame_, "cube_map.place", atlas_, index, texels_);
+  for (; params.first_texel < atlas_.texels_a_map(); params.first_texel = params.end_texel) {
+    params.end_texel = std::min(params.first_texel + kMostTexelsAPass, atlas_.texels_a_map());
     dispatch_gather(params, sum, glossy);
   }
 }

@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include "cube_maps/texel_lights.h"
 #include "frame/recorder.h"
 #include "lueur/cube_map.h"
 #include "techniques/cube_map/maps.h"
@@ -33,10 +34,8 @@ class CubeMapFrame {
   // frame before, which is then in it.
   bool keep(const char* name, Extent of_a_map, Format format, Image& image);
   bool is_classical() const { return settings_.method == CubeMapSettings::Method::classical; }
-  PlaceParams place_params(uint32_t map) const;
   void convolve(uint32_t map);
   void upload();
-  void place(uint32_t map);
   MapShare share_of(uint32_t map) const;
   void gather_from(uint32_t map, Image sum, bool glossy);
   void dispatch_gather(const GatherParams& params, Image sum, bool glossy);
@@ -49,12 +48,11 @@ class CubeMapFrame {
   Extent extent_;
   glm::mat4 camera_from_world_;
   CameraParams camera_;
-  uint32_t side_, texels_a_map_;
+  CubeAtlas atlas_;
   bool has_objects_;
   Image object_;       // some image where there are none
-  Image atlas_{};      // faces side by side
   Image panoramas_{};  // of classical maps: panorama.glsl
-  BufferRef faces_{}, map_of_object_{}, lobes_{};
+  BufferRef map_of_object_{}, lobes_{};
   BufferRef texels_{};  // of one map
 };
 

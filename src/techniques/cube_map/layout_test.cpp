@@ -2,7 +2,7 @@
 // Structures lie as the shaders read them.
 #include "support/layout.h"
 
-#include "cube_maps/equations.h"
+#include "cube_maps/params.h"
 #include "techniques/cube_map/params.h"
 #include "techniques/cube_map/shaders.h"
 
@@ -13,14 +13,9 @@ TEST(CubeMapLayout, StructuresLieAsTheShadersReadThem) {
   namespace s = shaders;
   expect_layout(s::techniques_cube_map_begin_comp, "push", sizeof(BeginParams),
                 {LUEUR_MEMBER(BeginParams, extent)});
-  for (const auto* of_faces :
-       {&s::techniques_cube_map_place_comp, &s::techniques_cube_map_convolve_comp})
-    expect_layout(*of_faces, "push", sizeof(PlaceParams),
-                  {LUEUR_MEMBER(PlaceParams, screen), LUEUR_MEMBER(PlaceParams, side),
-                   LUEUR_MEMBER(PlaceParams, map), LUEUR_MEMBER(PlaceParams, texels)});
-  expect_layout(s::techniques_cube_map_place_comp, "texels", sizeof(TexelLight),
-                {LUEUR_MEMBER(TexelLight, position), LUEUR_MEMBER(TexelLight, gain),
-                 LUEUR_MEMBER(TexelLight, radiance), LUEUR_MEMBER(TexelLight, shrink)});
+  expect_layout(s::techniques_cube_map_convolve_comp, "push", sizeof(PlaceParams),
+                {LUEUR_MEMBER(PlaceParams, screen), LUEUR_MEMBER(PlaceParams, side),
+                 LUEUR_MEMBER(PlaceParams, map), LUEUR_MEMBER(PlaceParams, texels)});
   for (const auto* gather :
        {&s::techniques_cube_map_gather_comp, &s::techniques_cube_map_gather_glossy_comp,
         &s::techniques_cube_map_look_up_comp})

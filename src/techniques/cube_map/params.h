@@ -11,14 +11,6 @@ struct BeginParams {
   ivec2 extent;
 };
 
-// A map's texels are those of its six faces, side by side in a row of the atlas.
-struct PlaceParams {
-  Screen screen;  // of a face of side x side texels
-  int side;
-  int map;
-  uint texels;
-};
-
 // Who takes how much of a map. A point's share of a probe falls linearly from 1 at the probe to 0
 // at the next one, along each axis of the world; where there is no next one it stays 1.
 struct MapShare {

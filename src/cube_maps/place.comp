@@ -4,7 +4,7 @@
 #extension GL_EXT_scalar_block_layout : require
 
 #include "cube_maps/equations.h"
-#include "techniques/cube_map/params.h"
+#include "cube_maps/params.h"
 
 layout(local_size_x = 64) in;
 layout(set = 0, binding = 0, rgba32f) uniform readonly image2D atlas;
