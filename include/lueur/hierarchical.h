@@ -27,6 +27,7 @@ struct HierarchicalSettings {
   enum class VoxelSlices : int32_t { of_32, of_64, of_128, of_256, of_512 };
   enum class Voxelizer : int32_t { compute, raster };
   enum class Sources : int32_t { camera, lights };
+  enum class OffScreen : int32_t { none, map };
   enum class SideViews : int32_t { gather, warp };
   enum class FormFactor : int32_t { disc, point };
   enum class Sampling : int32_t { sparse, every_pixel };
@@ -48,6 +49,7 @@ struct HierarchicalSettings {
   Voxelizer voxelizer = Voxelizer::compute;
   Sources sources = Sources::camera;
   int32_t light_view_px = 512;
+  OffScreen off_screen = OffScreen::none;
   SideViews side_views = SideViews::gather;
   bool glossy = false;
   int32_t glossy_samples = 32;
@@ -67,8 +69,8 @@ struct HierarchicalSettings {
 // What of Inputs it needs beyond view, depth, normal and source depends on the settings: motion for
 // all that remembers (temporal, feedback, interleave; without it the temporal filter rests), albedo
 // for more than one bounce, reflectance and lobes for glossy, emission and a host for
-// sources=lights, a host's triangles for visibility. render() fails the frame (ErrorKind::usage)
-// where something else than the filter's motion is missing.
+// sources=lights, a host for off_screen=map, a host's triangles for visibility. render() fails the
+// frame (ErrorKind::usage) where something else than the filter's motion is missing.
 //
 // Memory at half start: about 8 bytes a pixel of W x H for the pyramid, 5 for light on its way, 8
 // for what it remembers, and 8 for the output; kept between frames.

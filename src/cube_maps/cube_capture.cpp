@@ -2,6 +2,7 @@
 #include "cube_maps/cube_capture.h"
 
 #include <algorithm>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "base/check.h"
 #include "cube_maps/params.h"
@@ -15,6 +16,11 @@ namespace {
 constexpr uint32_t kMostASide = 16;
 
 }  // namespace
+
+float far_of(const Box& bounds) {
+  const glm::vec3 low = glm::make_vec3(bounds.min.data()), high = glm::make_vec3(bounds.max.data());
+  return std::clamp(2.0f * glm::length(high - low), 1.0f, 1e6f);
+}
 
 void capture_face(Frame& public_frame, Host& host, const View& view, const CubeCapture& capture,
                   Image texels, glm::ivec2 corner) {

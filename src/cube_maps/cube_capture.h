@@ -26,6 +26,9 @@ struct CubeCapture {
 // the mean distance from the eye (not along the optical axis) in metres.
 inline constexpr Format kCubeTexelFormat = Format::rgba32f;
 
+// A distance outside of all that is drawn, from wherever in it. Metres.
+float far_of(const Box& bounds);
+
 // Writes side x side texels of `view`, a square one, to `texels` from `corner` on. Records the
 // engine's passes and `cube_maps.*`. Fails the frame (ErrorKind::usage) where the engine gives no
 // view.

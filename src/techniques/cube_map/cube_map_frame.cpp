@@ -18,12 +18,6 @@ namespace {
 constexpr uint32_t kMostTexelsAPass = 32768;
 constexpr uint32_t kPanoramaSide = 32, kPanoramas = 7;  // panorama.glsl
 
-// Outside of all that is drawn, from wherever in it.
-float far_of(const Box& bounds) {
-  const glm::vec3 low = glm::make_vec3(bounds.min.data()), high = glm::make_vec3(bounds.max.data());
-  return std::clamp(2.0f * glm::length(high - low), 1.0f, 1e6f);
-}
-
 glm::mat4 to_world(const Map& map, size_t face) {
   return world_from_face(cube_views(map.faces[face].origin)[face]);
 }

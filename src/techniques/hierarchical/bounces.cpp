@@ -15,6 +15,8 @@ Gathered HierarchicalFrame::gather_first_bounce(const Pyramid& pyramid) {
   if (!by_lights) {
     Gathered sum = gather_all_levels(pyramid, true);
     sum.light = with_side_views(pyramid, sum.light);
+    if (settings_.off_screen == Settings::OffScreen::map)
+      sum.light = with_off_screen(pyramid, sum.light);
     return sum;
   }
   Gathered sum = gather_from_lights(pyramid);

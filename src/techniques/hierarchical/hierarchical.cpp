@@ -18,6 +18,7 @@ using Settings = HierarchicalSettings;
 constexpr std::string_view kStartNames[] = {"full", "half", "quarter"};
 constexpr std::string_view kSideViewNames[] = {"gather", "warp"};
 constexpr std::string_view kSourcesNames[] = {"camera", "lights"};
+constexpr std::string_view kOffScreenNames[] = {"none", "map"};
 constexpr std::string_view kVisibilityNames[] = {"none", "first_bounce", "all_bounces"};
 constexpr std::string_view kSlicesNames[] = {"32", "64", "128", "256", "512"};
 constexpr std::string_view kVoxelizerNames[] = {"compute", "raster"};
@@ -67,6 +68,10 @@ constexpr std::array kSettings = {
                                "each of them shines on, which needs the engine's other views."),
     setting<&Settings::light_view_px>("light_view_px", 16, 4096, "px",
                                       "Side of a light's view, with `sources=lights`."),
+    choice<&Settings::off_screen>(
+        "off_screen", kOffScreenNames,
+        "What gives the first bounce beside the picture: none: nothing; map: a cube map around the "
+        "eye, which needs the engine's other views."),
     choice<&Settings::side_views>("side_views", kSideViewNames,
                                   "How light of side cameras is taken, with sources=camera: "
                                   "gather: from what they see; warp: "
@@ -120,6 +125,12 @@ Result<void> check_inputs(const Settings& settings, const Inputs& inputs) {
     return refuse("side views need an engine that renders other views (Inputs::host)");
   if (settings.sources == Settings::Sources::lights && !inputs.host)
     return refuse("sources=lights needs an engine that renders other views (Inputs::host)");
+  if (settings.off_screen == Settings::OffScreen::map) {
+    if (!inputs.host)
+      return refuse("off_screen=map needs an engine that renders other views (Inputs::host)");
+    if (settings.sources == Settings::Sources::lights)
+      return refuse("off_screen=map goes with sources=camera: lights see what is off the screen");
+  }
   return {};
 }
 

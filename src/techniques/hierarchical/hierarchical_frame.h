@@ -92,6 +92,11 @@ class HierarchicalFrame {
   // What side views add to this light of level 0: HSSIL 5, "additional cameras". Releases `light`.
   Image with_side_views(const Pyramid& pyramid, Image light);
 
+  // --- off_screen.cpp: LCM (Szirmay-Kalos, Lazányi 2006)
+
+  // What surfaces give that the eye would see beside the picture. Releases `light`.
+  Image with_off_screen(const Pyramid& pyramid, Image light);
+
   // --- bounces.cpp: FDP, "multi-bounce computation"
 
   // All of Settings::bounces.

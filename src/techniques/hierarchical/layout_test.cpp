@@ -82,6 +82,11 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
       s::frame_scan_comp, "rows", sizeof(ScanRow),
       {LUEUR_MEMBER(ScanRow, nan_pixels), LUEUR_MEMBER(ScanRow, infinite_pixels),
        LUEUR_MEMBER(ScanRow, negative_pixels), LUEUR_MEMBER(ScanRow, inverted_first_pixel)});
+  expect_layout(
+      s::techniques_hierarchical_off_screen_comp, "push", sizeof(OffScreenParams),
+      {LUEUR_MEMBER(OffScreenParams, screen), LUEUR_MEMBER(OffScreenParams, picture_screen),
+       LUEUR_MEMBER(OffScreenParams, extent), LUEUR_MEMBER(OffScreenParams, picture_extent),
+       LUEUR_MEMBER(OffScreenParams, texels)});
 }
 
 }  // namespace

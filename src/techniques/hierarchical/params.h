@@ -124,6 +124,14 @@ struct OutputParams {
   float alpha_scale;  // 1 / number of levels gathered
 };
 
+struct OffScreenParams {
+  Screen screen;          // of level 0
+  Screen picture_screen;  // of the G-buffer
+  ivec2 extent;           // of level 0
+  ivec2 picture_extent;   // of the G-buffer
+  uint texels;
+};
+
 LUEUR_NAMESPACE_END
 
 #endif

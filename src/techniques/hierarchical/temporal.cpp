@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <glm/gtc/type_ptr.hpp>
 
+#include "frame/screen_of_view.h"
 #include "techniques/hierarchical/hierarchical_frame.h"
 #include "techniques/hierarchical/shaders.h"
-#include "frame/screen_of_view.h"
 
 namespace lueur::hierarchical {
 namespace {
