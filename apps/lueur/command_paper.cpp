@@ -118,7 +118,7 @@ void add_paper(CLI::App& program, Outcome& outcome) {
   const auto add = [&](const char* flag, std::string& value, const char* help, const char* type) {
     command->add_option(flag, value, help)->type_name(type);
   };
-  command->add_option("NAME", options->name, "The paper: fdp, hssil or sol")
+  command->add_option("NAME", options->name, "The paper: fdp, hssil, lcm or sol")
       ->type_name("")
       ->required();
   add("-o,--output", options->folder, "Folder of the page, made if it is missing", "FOLDER");

@@ -31,6 +31,12 @@ constexpr PaperFigure kSolFigures[] = {
     {"5", "Figures 5 and 6: what negative lights take away", sol::negative_lights},
 };
 
+constexpr PaperFigure kLcmFigures[] = {
+    {"6", "Figure 6: a diffuse object in four places", lcm::diffuse},
+    {"7", "Figures 7 and 8: a glossy object in four places", lcm::glossy},
+    {"cost", "What texels cost", lcm::costs},
+};
+
 constexpr Paper kPapers[] = {
     {"fdp",
      "A Fast Deferred Shading Pipeline for Real Time Approximate Indirect Illumination (Soler, "
@@ -39,6 +45,8 @@ constexpr Paper kPapers[] = {
     {"hssil",
      "Hierarchical Screen-Space Indirect Illumination for Video Games (INRIA RR-7162, 2009)",
      kHssilFigures},
+    {"lcm", "Indirect Diffuse and Glossy Illumination on the GPU (Szirmay-Kalos, Lazányi 2006)",
+     kLcmFigures},
     {"sol", "Second-Order Illumination in Real-Time (Cochran, Steele 2007)", kSolFigures},
 };
 

@@ -77,6 +77,12 @@ Result<report::FigureSection> low_resolution(Session& session, const PaperSetup&
 Result<report::FigureSection> negative_lights(Session& session, const PaperSetup& setup);
 }  // namespace sol
 
+namespace lcm {
+Result<report::FigureSection> diffuse(Session& session, const PaperSetup& setup);
+Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup);
+Result<report::FigureSection> costs(Session& session, const PaperSetup& setup);
+}  // namespace lcm
+
 // `lueur paper`: which figures of which paper, and where to.
 struct PaperJob {
   const Paper* paper = nullptr;

@@ -29,23 +29,6 @@ Mask floor_of(const ImageF& material) {
   return mask;
 }
 
-// The candidates share a scene that has no name of its own.
-Result<std::vector<Candidate>> candidates_on(Session& session, const Scene& scene,
-                                             const PaperSetup& setup,
-                                             std::vector<std::vector<std::string>> settings) {
-  LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, scene));
-  const auto shared = std::make_shared<SceneUnderTest>(SceneUnderTest{
-      kScene, triangle_count(scene), {}, scene.exposure_ev.value_or(0.0f), 0, std::move(renderer)});
-  std::vector<Candidate> candidates;
-  for (const std::vector<std::string>& one : settings) {
-    LUEUR_TRY(technique, choose_technique("hierarchical", one));
-    Candidate candidate{technique.label, shared, std::move(technique), {}, {}};
-    candidate.shot = {.extent = setup.picture_size, .seed = setup.seed};
-    candidates.push_back(std::move(candidate));
-  }
-  return candidates;
-}
-
 std::vector<std::string> glossy_settings(uint32_t samples, bool importance) {
   return paper_settings({"start=half", "levels=4", "temporal=0", "glossy=true",
                          "glossy_samples=" + std::to_string(samples),
@@ -76,7 +59,7 @@ Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup) 
                                   [](const Material& m) { return m.name == "polished floor"; });
   make_glossy(*floor);
   LUEUR_TRY(candidates,
-            candidates_on(session, scene, setup,
+            candidates_on(session, scene, kScene, setup, setup.picture_size, "hierarchical",
                           {glossy_settings(kSamples, false), glossy_settings(kSamples, true),
                            glossy_settings(kManySamples, true)}));
   const float exposure_ev = scene.exposure_ev.value_or(0.0f);

@@ -33,6 +33,24 @@ Result<std::vector<Candidate>> paper_candidates(Session& session,
   return make_candidates(session, std::move(requests), "", setup.seed, {}, MemoryReport::none);
 }
 
+Result<std::vector<Candidate>> candidates_on(
+    Session& session, const Scene& scene, const std::string& name, const PaperSetup& setup,
+    Extent size, const std::string& technique,
+    const std::vector<std::vector<std::string>>& settings) {
+  session.context.recorder().forget_history();
+  LUEUR_TRY(renderer, Renderer::create(*session.system, session.context, scene));
+  const auto shared = std::make_shared<SceneUnderTest>(SceneUnderTest{
+      name, triangle_count(scene), {}, scene.exposure_ev.value_or(0.0f), 0, std::move(renderer)});
+  std::vector<Candidate> candidates;
+  for (const std::vector<std::string>& one : settings) {
+    LUEUR_TRY(chosen, choose_technique(technique, one));
+    Candidate candidate{chosen.label, shared, std::move(chosen), {}, {}};
+    candidate.shot = {.extent = size, .seed = setup.seed};
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
 Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev) {
   return to_display(light, exposure_ev + brighter_ev, ToneMap::khronos_neutral);
 }

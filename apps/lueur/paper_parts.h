@@ -31,6 +31,13 @@ Result<std::vector<Candidate>> paper_candidates(Session& session,
                                                 std::vector<CandidateRequest> requests,
                                                 const PaperSetup& setup);
 
+// The same on a scene that is at hand, changed or not, which they share. `name` is what tables call
+// it.
+Result<std::vector<Candidate>> candidates_on(Session& session, const Scene& scene,
+                                             const std::string& name, const PaperSetup& setup,
+                                             Extent size, const std::string& technique,
+                                             const std::vector<std::vector<std::string>>& settings);
+
 // Light for the page, `brighter_ev` stops over the exposure of the scene.
 Image8 shown(const ImageF& light, float exposure_ev, float brighter_ev = 0.0f);
 
