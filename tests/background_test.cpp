@@ -78,8 +78,8 @@ TEST_F(BackgroundTest, FinePicturesAreShownAtAMeanLevel) {
   std::uniform_real_distribution<float> anything(0.0f, 1.0f);
   Scene scene = scene_seen_from({0, 0, 0}, {0.3f, 0.1f, -1});
   scene.environment = picture(1024, [&](float, float) { return anything(random); });
-  ASSERT_GT(background_level(*scene.environment, scene.cameras[0].vertical_fov_rad, kExtent.height),
-            0u);
+  const float pixel_rad = scene.cameras[0].vertical_fov_rad / static_cast<float>(kExtent.height);
+  ASSERT_GT(background_level(*scene.environment, pixel_rad), 0u);
   expect_same(scene, 1.0);
 }
 

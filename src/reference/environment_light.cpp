@@ -97,8 +97,10 @@ float EnvironmentLight::pdf(const glm::vec3& direction) const {
 }
 
 Backdrop::Backdrop(const Environment& environment, const Camera& camera, uint32_t height_px)
-    : level_(environment_level(environment,
-                               background_level(environment, camera.vertical_fov_rad, height_px))),
+    : level_(environment_level(
+          environment,
+          background_level(environment, 2.0f * std::tan(0.5f * camera.vertical_fov_rad) /
+                                            static_cast<float>(std::max(height_px, 1u))))),
       environment_from_world_(environment_from_world(environment)),
       intensity_(environment.intensity) {}
 

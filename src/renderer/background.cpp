@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "base/try.h"
+#include "frame/screen_of_view.h"
 #include "image/half.h"
 #include "renderer/params.h"
 #include "renderer/shaders.h"
@@ -65,30 +67,42 @@ Result<Background> Background::create(gpu::System& system, Context& context,
   return background;
 }
 
-void Background::record(Recorder& frame, Extent extent, const glm::mat4& world_from_camera,
-                        float vertical_fov_rad, Image depth, Image composed) const {
-  const uint32_t level = background_level(environment_, vertical_fov_rad, extent.height);
+void Background::record(Recorder& frame, const View& view, Image depth, Image composed) const {
+  show(frame, "renderer.background", view, {"depth", depth}, composed);
+}
+
+Image Background::alone(Recorder& frame, const View& view, Extent extent) const {
+  const Image image = frame.image("background", extent, Format::rgba16f);
+  // Nothing reads the depth; something has to be bound.
+  show(frame, "renderer.view.background", view, {"depth", SampledTexture{&texture_}}, image);
+  return image;
+}
+
+void Background::show(Recorder& frame, const std::string& pass, const View& view,
+                      const Bound& depth, Image shown) const {
   // A pixel's direction in the picture's own space is corner + x step_x + y step_y.
-  const glm::mat3 axes = environment_from_world(environment_) * glm::mat3(world_from_camera);
-  const float width = static_cast<float>(extent.width), height = static_cast<float>(extent.height);
-  const float pixel = 2.0f * std::tan(0.5f * vertical_fov_rad) / height;
+  const glm::mat3 world_from_view =
+      glm::inverse(glm::mat3(glm::make_mat4(view.view_from_world.data())));
+  const glm::mat3 axes = environment_from_world(environment_) * world_from_view;
+  const Screen screen = screen_of_view(view, shown.extent);
+  const uint32_t level = background_level(environment_, std::abs(screen.ray_scale.y));
   BackgroundParams params{};
-  params.extent = ivec2(extent.width, extent.height);
-  params.step_x = pixel * axes[0];
-  params.step_y = -pixel * axes[1];
-  params.corner = -axes[2] - 0.5f * width * params.step_x - 0.5f * height * params.step_y;
+  params.extent = as_ivec2(shown.extent);
+  params.everywhere = std::holds_alternative<Image>(depth.resource) ? 0 : 1;
+  params.step_x = screen.ray_scale.x * axes[0];
+  params.step_y = screen.ray_scale.y * axes[1];
+  params.corner = screen.ray_offset.x * axes[0] + screen.ray_offset.y * axes[1] - axes[2];
   params.level = static_cast<float>(std::max(level, first_level_) - first_level_);
   params.intensity = environment_.intensity;
   const gpu::SamplerState sampler{.filter = gpu::Filter::linear,
                                   .u = gpu::Address::repeat,
                                   .v = gpu::Address::clamp_to_edge,
                                   .mipmaps = true};
-  frame.dispatch("renderer.background",
-                 {.shader = shaders::renderer_background_comp,
-                  .params = params,
-                  .read = {{"depth", depth}, {"environment", SampledTexture{&texture_}, sampler}},
-                  .write = {{"composed", composed}},
-                  .over = extent});
+  frame.dispatch(pass, {.shader = shaders::renderer_background_comp,
+                        .params = params,
+                        .read = {depth, {"environment", SampledTexture{&texture_}, sampler}},
+                        .write = {{"shown", shown}},
+                        .over = shown.extent});
 }
 
 }  // namespace lueur

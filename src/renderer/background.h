@@ -6,6 +6,7 @@
 
 #include "frame/recorder.h"
 #include "gpu/system.h"
+#include "lueur/view.h"
 #include "scene/scene.h"
 
 namespace lueur {
@@ -17,13 +18,16 @@ class Background {
   static Result<Background> create(gpu::System& system, Context& context,
                                    const Environment& environment);
 
-  // Writes the pixels of `composed` where `depth` is 0, for a camera of this vertical field of
-  // view.
-  void record(Recorder& frame, Extent extent, const glm::mat4& world_from_camera,
-              float vertical_fov_rad, Image depth, Image composed) const;
+  // Writes what `view` sees of it to the pixels of `composed` where `depth` is 0.
+  void record(Recorder& frame, const View& view, Image depth, Image composed) const;
+  // An image of what `view` sees of it, with nothing in front: rgba16f.
+  Image alone(Recorder& frame, const View& view, Extent extent) const;
 
  private:
   Background() = default;
+  void show(Recorder& frame, const std::string& pass, const View& view, const Bound& depth,
+            Image shown) const;
+
   gpu::Texture texture_;
   uint32_t first_level_ = 0;  // of the picture's, the texture's finest
   Environment environment_;   // without its pixels

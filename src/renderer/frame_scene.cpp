@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/frame_scene.h"
 
+#include <array>
+
 #include "renderer/shaders.h"
 
 namespace lueur {
@@ -37,10 +39,22 @@ std::vector<Bound> FrameScene::buffers() const {
   return {{"instances", instances_}, {"deformed", deformed_}, {"materials", materials_}};
 }
 
-void FrameScene::draw_all(DrawList& list, bool cull) const {
+void FrameScene::draw_all(DrawList& list, bool cull, std::span<const uint32_t> without) const {
+  std::array<bool, kMostMovingObjects + 1> is_left_out{};  // by InstanceData::object
+  for (const uint32_t object : without) is_left_out[object + 1] = true;
+  // The first of an item's instances from `i` on that is, or is not, left out.
+  const auto next = [&](uint32_t i, uint32_t end, bool left_out) {
+    while (i < end && is_left_out[geometry_.instances[i].object] != left_out) ++i;
+    return i;
+  };
+
   list.geometry(on_device_.vertices(), on_device_.indices());
   int32_t bound_material = kNone;
   for (const DrawItem& item : geometry_.draws) {
+    const uint32_t end = item.first_instance + item.instance_count;
+    uint32_t first = item.first_instance;
+    if (!without.empty()) first = next(first, end, false);
+    if (first == end) continue;
     const Material& material = on_device_.material(item.material);
     if (item.material != bound_material) {
       list.material(on_device_.material_set(item.material));
@@ -49,8 +63,11 @@ void FrameScene::draw_all(DrawList& list, bool cull) const {
       bound_material = item.material;
     }
     list.front_face(!item.mirrored);
-    list.indexed(item.index_count, item.first_index, item.vertex_offset, item.instance_count,
-                 item.first_instance);
+    while (first < end) {
+      const uint32_t last = without.empty() ? end : next(first, end, true);
+      list.indexed(item.index_count, item.first_index, item.vertex_offset, last - first, first);
+      first = last == end ? end : next(last, end, false);
+    }
   }
 }
 

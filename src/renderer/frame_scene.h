@@ -3,6 +3,7 @@
 // on the device, and its lights with their shadow maps.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "frame/recorder.h"
@@ -29,9 +30,9 @@ class FrameScene {
   std::vector<Bound> buffers() const;
   // The scene's LobeData.
   BufferRef lobes() const { return lobes_; }
-  // Draws every item, changing state only where it changes. `cull`: the backs of one-sided
-  // materials.
-  void draw_all(DrawList& list, bool cull) const;
+  // Draws every item, changing state only where it changes, but for the instances of the moving
+  // objects `without`. `cull`: the backs of one-sided materials.
+  void draw_all(DrawList& list, bool cull, std::span<const uint32_t> without = {}) const;
 
   // Drawn by the first who asks. Give it back after use.
   Image shadow_map(size_t light);

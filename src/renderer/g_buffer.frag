@@ -18,8 +18,9 @@ layout(location = 4) in vec4 clip_before;
 layout(location = 5) in vec4 vertex_color;
 layout(location = 6) in vec4 normal_and_emission_uv;
 layout(location = 7) flat in uint surface_bits_of_instance;
+layout(location = 8) flat in uint object;
 
-layout(location = 0) out vec4 base_color;
+layout(location = 0) out vec4 base_color;  // alpha: InstanceData::object in 255ths
 layout(location = 1) out vec2 normal;
 layout(location = 2) out vec4 material;
 layout(location = 3) out vec4 emission;
@@ -46,7 +47,7 @@ void main() {
 
   const vec4 mr = texture(metallic_roughness_texture, base_color_and_material_uv.zw);
   const bool lit = m.unlit == 0;
-  base_color = vec4(lit ? color.rgb : vec3(0.0), 1.0);
+  base_color = vec4(lit ? color.rgb : vec3(0.0), float(object) / 255.0);
   normal = octahedral_encode(n);
   material.rgb = lit ? vec3(m.metallic * mr.b, m.roughness * mr.g, m.specular) : vec3(0.0);
   uint surface_bits = surface_bits_of_instance;

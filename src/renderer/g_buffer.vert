@@ -24,6 +24,7 @@ layout(location = 4) out vec4 clip_before;
 layout(location = 5) out vec4 vertex_color;
 layout(location = 6) out vec4 normal_and_emission_uv;
 layout(location = 7) flat out uint surface_bits_of_instance;
+layout(location = 8) flat out uint object;
 
 void main() {
   const InstanceData instance = instances.data[gl_InstanceIndex];
@@ -40,6 +41,7 @@ void main() {
       vec4(placed(m.normal_place, uv, uv_2), placed(m.emission_place, uv, uv_2));
   vertex_color = color;
   surface_bits_of_instance = instance.surface_bits;
+  object = instance.object;
   clip_now = params.value.clip_from_world * now;
   clip_before = params.value.clip_from_world_before * before;
   gl_Position = clip_now;

@@ -17,7 +17,7 @@ TEST(RendererLayout, GeometryPasses) {
          LUEUR_MEMBER(InstanceData, world_from_object_before),
          LUEUR_MEMBER(InstanceData, world_from_object_normal),
          LUEUR_MEMBER(InstanceData, is_deformed), LUEUR_MEMBER(InstanceData, first_deformed),
-         LUEUR_MEMBER(InstanceData, surface_bits)});
+         LUEUR_MEMBER(InstanceData, surface_bits), LUEUR_MEMBER(InstanceData, object)});
     expect_layout(
         *code, "deformed", sizeof(DeformedVertex),
         {LUEUR_MEMBER(DeformedVertex, position), LUEUR_MEMBER(DeformedVertex, position_before),
@@ -70,9 +70,10 @@ TEST(RendererLayout, CosineLobes) {
 
 TEST(RendererLayout, Background) {
   expect_layout(shaders::renderer_background_comp, "push", sizeof(BackgroundParams),
-                {LUEUR_MEMBER(BackgroundParams, extent), LUEUR_MEMBER(BackgroundParams, corner),
-                 LUEUR_MEMBER(BackgroundParams, step_x), LUEUR_MEMBER(BackgroundParams, step_y),
-                 LUEUR_MEMBER(BackgroundParams, level), LUEUR_MEMBER(BackgroundParams, intensity)});
+                {LUEUR_MEMBER(BackgroundParams, extent), LUEUR_MEMBER(BackgroundParams, everywhere),
+                 LUEUR_MEMBER(BackgroundParams, corner), LUEUR_MEMBER(BackgroundParams, step_x),
+                 LUEUR_MEMBER(BackgroundParams, step_y), LUEUR_MEMBER(BackgroundParams, level),
+                 LUEUR_MEMBER(BackgroundParams, intensity)});
 }
 
 TEST(RendererLayout, SurfaceAndComposition) {
@@ -80,8 +81,8 @@ TEST(RendererLayout, SurfaceAndComposition) {
                 {LUEUR_MEMBER(SurfaceParams, extent), LUEUR_MEMBER(SurfaceParams, has_emission)});
   expect_layout(shaders::renderer_passed_on_comp, "push", sizeof(PassedOnParams),
                 {LUEUR_MEMBER(PassedOnParams, extent)});
-  expect_layout(shaders::renderer_passed_on_comp, "push", sizeof(PassedOnParams),
-                {LUEUR_MEMBER(PassedOnParams, extent)});
+  expect_layout(shaders::renderer_object_comp, "push", sizeof(ObjectParams),
+                {LUEUR_MEMBER(ObjectParams, extent)});
   expect_layout(shaders::renderer_reflectance_comp, "push", sizeof(ReflectanceParams),
                 {LUEUR_MEMBER(ReflectanceParams, extent)});
   expect_layout(shaders::renderer_compose_comp, "push", sizeof(ComposeParams),

@@ -17,6 +17,7 @@ struct InstanceData {
   uint is_deformed;
   int first_deformed;
   uint surface_bits;  // kKeepsLight, or 0
+  uint object;        // 1 + the index of the moving object that it belongs to; 0: it stands still
 };
 
 // The alpha of `material` in 255ths: what a surface is besides its numbers.
@@ -128,6 +129,10 @@ struct ReflectanceParams {
   ivec2 extent;
 };
 
+struct ObjectParams {
+  ivec2 extent;
+};
+
 struct PassedOnParams {
   ivec2 extent;
 };
@@ -141,6 +146,7 @@ struct ComposeParams {
 // The direction of a pixel in the environment's picture is corner + x step_x + y step_y.
 struct BackgroundParams {
   ivec2 extent;
+  uint everywhere;  // also where there is a surface; then `depth` is not read
   vec3 corner;
   vec3 step_x;
   vec3 step_y;

@@ -7,6 +7,7 @@
 
 #include "base/check.h"
 #include "base/try.h"
+#include "frame/screen_of_view.h"
 #include "renderer/background.h"
 #include "renderer/light_view.h"
 #include "renderer/params.h"
@@ -14,7 +15,6 @@
 #include "renderer/scene_on_device.h"
 #include "renderer/shaders.h"
 #include "renderer/view_passes.h"
-#include "frame/screen_of_view.h"
 
 namespace lueur {
 
@@ -125,7 +125,9 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
   const auto node = static_cast<size_t>(camera.node);
   const ScenePose now = pose_at(scene, shot.time_s);
   const ScenePose before = pose_at(scene, shot.previous_time_s);
-  const Bounds box = bounds(scene, now.world_from_node, now.deformed);
+  const std::vector<Bounds> of_instances =
+      bounds_of_instances(scene, now.world_from_node, now.deformed);
+  const Bounds box = bounds_around(of_instances);
   std::vector<LightView> lights;
   for (const Light& light : scene.lights)
     lights.push_back(
@@ -142,7 +144,8 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
 
   const bool cut = state_->is_cut(frame.options.history_of, shot);
   if (technique) {
-    SceneHost host(frame_scene, scene, now.world_from_node, box);
+    SceneHost host(frame_scene, scene, now.world_from_node, of_instances,
+                   state_->background ? &*state_->background : nullptr);
     std::vector<View> side_views;
     for (const int32_t index : shot.side_cameras) {
       LUEUR_CHECK(index >= 0 && index < static_cast<int32_t>(scene.cameras.size()));
@@ -164,9 +167,7 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
     images.indirect_specular = outputs.specular;
   }
   compose(frame, images);
-  if (state_->background)
-    state_->background->record(frame, shot.extent, world_from_camera(now.world_from_node[node]),
-                               camera.vertical_fov_rad, images.depth, images.composed);
+  if (state_->background) state_->background->record(frame, view, images.depth, images.composed);
   return images;
 }
 

@@ -16,6 +16,10 @@ std::array<float, 3> array_of(const glm::vec3& v) {
   return {v.x, v.y, v.z};
 }
 
+Box as_box(const Bounds& bounds) {
+  return {array_of(bounds.min), array_of(bounds.max)};
+}
+
 constexpr uint32_t floats(size_t bytes) {
   return static_cast<uint32_t>(bytes / sizeof(float));
 }
@@ -65,8 +69,12 @@ std::vector<TriangleBatch> batches_of(const FrameScene& scene, BufferRef vertice
 }  // namespace
 
 SceneHost::SceneHost(FrameScene& frame_scene, const Scene& scene,
-                     const std::vector<glm::mat4>& world_from_node, const Bounds& box)
-    : scene_(frame_scene), bounds_{array_of(box.min), array_of(box.max)} {
+                     const std::vector<glm::mat4>& world_from_node,
+                     std::span<const Bounds> of_instances, const Background* background)
+    : scene_(frame_scene), bounds_(as_box(bounds_around(of_instances))), background_(background) {
+  for (const Bounds& box :
+       bounds_of_objects(frame_scene.on_device().moving_objects(), of_instances))
+    objects_.push_back({as_box(box)});
   for (const Light& light : scene.lights)
     lights_.push_back(as_punctual(place(light, world_from_node[static_cast<size_t>(light.node)])));
 }
@@ -76,8 +84,9 @@ GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent,
   const int32_t light = content.light;
   const auto count = static_cast<int32_t>(lights_.size());
   LUEUR_CHECK(light == kAllLights || (light >= 0 && light < count));
+  for (const uint32_t object : content.without) LUEUR_CHECK_OP(object, <, objects_.size());
   ViewPasses passes(scene_, "renderer.view", extent, view, view);
-  passes.show_surfaces(light == kAllLights);
+  passes.show_surfaces(light == kAllLights, content.without);
   for (int32_t i = 0; i < count; ++i)
     if (light == kAllLights || light == i) passes.add_light(static_cast<size_t>(i));
   GBuffer g = passes.g_buffer();
@@ -85,6 +94,10 @@ GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent,
   g.motion = {};
   passes.release_all_but(g);
   return g;
+}
+
+Image SceneHost::background(Frame&, const View& view, Extent extent) {
+  return background_ ? background_->alone(scene_.frame(), view, extent) : Image{};
 }
 
 std::span<const TriangleBatch> SceneHost::triangles(Frame& frame) {

@@ -108,6 +108,7 @@ Result<std::unique_ptr<SceneOnDevice>> SceneOnDevice::create(gpu::System& system
   std::unique_ptr<SceneOnDevice> result(new SceneOnDevice);
   gpu::Device& device = context.recorder().device();
   result->scene_materials_ = scene.materials;
+  result->moving_objects_ = lueur::moving_objects(scene);
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     result->instances_.push_back({scene.instances[i], i});
     result->keeps_light_ |= !scene.instances[i].passes_light_on;
@@ -267,9 +268,14 @@ FrameGeometry SceneOnDevice::pose(const ScenePose& now, const ScenePose& before)
     const glm::mat3 normal = std::abs(glm::determinant(linear)) > 1e-30f
                                  ? glm::transpose(glm::inverse(linear))
                                  : glm::mat3(1.0f);
-    InstanceData data{world,  world_from_instance(instance.placed, before.world_from_node),
-                      normal, 0,
-                      0,      instance.placed.passes_light_on ? 0 : kKeepsLight};
+    InstanceData data{
+        .world_from_object = world,
+        .world_from_object_before = world_from_instance(instance.placed, before.world_from_node),
+        .world_from_object_normal = normal,
+        .is_deformed = 0,
+        .first_deformed = 0,
+        .surface_bits = instance.placed.passes_light_on ? 0 : kKeepsLight,
+        .object = static_cast<uint32_t>(moving_objects_.of_instance[instance.index] + 1)};
     const auto shaped = vertices_of(now, instance.index);
     const auto shaped_before = vertices_of(before, instance.index);
     if (!shaped.empty()) {

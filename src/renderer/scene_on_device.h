@@ -11,6 +11,7 @@
 #include "renderer/lobe_table.h"
 #include "renderer/params.h"
 #include "scene/deform.h"
+#include "scene/moving_objects.h"
 #include "scene/scene.h"
 
 namespace lueur {
@@ -62,6 +63,7 @@ class SceneOnDevice {
   bool emits() const { return emits_; }
   // Whether any instance keeps light that others pass on.
   bool keeps_light() const { return keeps_light_; }
+  const MovingObjects& moving_objects() const { return moving_objects_; }
   const std::vector<MaterialData>& materials() const { return materials_; }
   const LobeTable& cosine_lobes() const { return cosine_lobes_; }
   MaterialSet material_set(int32_t material) const {
@@ -102,6 +104,7 @@ class SceneOnDevice {
   std::vector<MaterialData> materials_;
   std::vector<MaterialSet> material_sets_;
   LobeTable cosine_lobes_;
+  MovingObjects moving_objects_;
   bool emits_ = false;
   bool keeps_light_ = false;
 };

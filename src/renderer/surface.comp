@@ -21,11 +21,11 @@ layout(push_constant, scalar) uniform Push { SurfaceParams p; };
 void main() {
   const ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(pixel, p.extent))) return;
-  const vec4 color = texelFetch(base_color, pixel, 0);
+  const vec3 color = texelFetch(base_color, pixel, 0).rgb;
   const vec4 m = texelFetch(material, pixel, 0);
-  imageStore(albedo, pixel, vec4(diffuse_albedo(color.rgb, m.r), color.a));
+  imageStore(albedo, pixel, vec4(diffuse_albedo(color, m.r), 1.0));
   const vec3 emitted = p.has_emission != 0 ? texelFetch(emission, pixel, 0).rgb : vec3(0.0);
   const bool keeps = keeps_light(m);
-  imageStore(source, pixel, vec4(keeps ? vec3(0.0) : emitted, color.a));
+  imageStore(source, pixel, vec4(keeps ? vec3(0.0) : emitted, 1.0));
   imageStore(specular, pixel, vec4(keeps ? emitted : vec3(0.0), 0.0));
 }

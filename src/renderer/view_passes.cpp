@@ -3,8 +3,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include "renderer/shaders.h"
 #include "frame/screen_of_view.h"
+#include "renderer/shaders.h"
 
 namespace lueur {
 namespace {
@@ -24,9 +24,9 @@ ViewPasses::ViewPasses(FrameScene& scene, std::string name, Extent extent, const
       view_(view),
       view_before_(view_before) {}
 
-void ViewPasses::show_surfaces(bool emission) {
+void ViewPasses::show_surfaces(bool emission, std::span<const uint32_t> without) {
   emission_ = emission;
-  draw_g_buffer();
+  draw_g_buffer(without);
   images_.albedo = frame_.image("albedo", extent_, Format::rgba16f);
   images_.source = frame_.image("source", extent_, Format::rgba16f);
   images_.specular = frame_.image("specular", extent_, Format::rgba16f);
@@ -42,7 +42,7 @@ void ViewPasses::show_surfaces(bool emission) {
                    .over = extent_});
 }
 
-void ViewPasses::draw_g_buffer() {
+void ViewPasses::draw_g_buffer(std::span<const uint32_t> without) {
   images_.depth = frame_.image("depth", extent_, Format::d32f);
   images_.normal = frame_.image("normal", extent_, Format::rg16_snorm);
   images_.material = frame_.image("material", extent_, Format::rgba8);
@@ -63,7 +63,7 @@ void ViewPasses::draw_g_buffer() {
                          {"emission", images_.emission},
                          {"motion", images_.motion}},
                .depth = DrawTarget{"depth", images_.depth},
-               .record = [&](DrawList& list) { scene_.draw_all(list, true); }});
+               .record = [&](DrawList& list) { scene_.draw_all(list, true, without); }});
 }
 
 void ViewPasses::add_light(size_t index) {
@@ -108,10 +108,21 @@ GBuffer ViewPasses::g_buffer() {
                                                     {"lobes", scene_.lobes()}},
                                            .write = {{"reflectance", g.reflectance}},
                                            .over = extent_});
+  if (scene_.on_device().moving_objects().count > 0) g.object = object_image();
   g.emission = images_.emission;
   if (scene_.on_device().keeps_light()) pass_on(g);
   if (!gives_emission()) g.emission = {};
   return g;
+}
+
+Image ViewPasses::object_image() {
+  const Image object = frame_.image("object", extent_, Format::r8);
+  frame_.dispatch(name_ + ".object", {.shader = shaders::renderer_object_comp,
+                                      .params = ObjectParams{as_ivec2(extent_)},
+                                      .read = {{"base_color", base_color_}},
+                                      .write = {{"object", object}},
+                                      .over = extent_});
+  return object;
 }
 
 void ViewPasses::pass_on(GBuffer& g) {

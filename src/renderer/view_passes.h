@@ -3,6 +3,7 @@
 // light. The frame's camera goes through them, and each view that a technique asks for.
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "renderer/frame_scene.h"
@@ -16,8 +17,8 @@ class ViewPasses {
   ViewPasses(FrameScene& scene, std::string name, Extent extent, const View& view,
              const View& view_before);
 
-  // G-buffer and surface. Without `emission`, nothing glows.
-  void show_surfaces(bool emission);
+  // G-buffer and surface, but for the moving objects `without`. Without `emission`, nothing glows.
+  void show_surfaces(bool emission, std::span<const uint32_t> without = {});
   // Adds one light's direct light.
   void add_light(size_t light);
   // What a technique gets. Before release_surfaces().
@@ -31,9 +32,10 @@ class ViewPasses {
   const RenderedImages& images() const { return images_; }
 
  private:
-  void draw_g_buffer();
+  void draw_g_buffer(std::span<const uint32_t> without);
   bool gives_emission() const;
   void pass_on(GBuffer& g);
+  Image object_image();
 
   FrameScene& scene_;
   Recorder& frame_;
@@ -43,7 +45,7 @@ class ViewPasses {
   View view_before_;
   bool emission_ = true;
   RenderedImages images_{};
-  Image base_color_{};  // rgba8_srgb
+  Image base_color_{};  // rgba8_srgb; alpha: InstanceData::object in 255ths
 };
 
 }  // namespace lueur

@@ -9,6 +9,9 @@
 namespace lueur {
 namespace {
 
+const Bounds kAroundNothing{glm::vec3(std::numeric_limits<float>::infinity()),
+                            glm::vec3(-std::numeric_limits<float>::infinity())};
+
 // Adds what the targets move; normals and tangents are not unit length afterwards.
 void morph(const Mesh& mesh, const std::vector<float>& weights, std::vector<Vertex>& vertices) {
   for (size_t t = 0; t < weights.size(); ++t) {
@@ -103,10 +106,10 @@ std::vector<DeformedInstance> deformed_instances(const Scene& scene,
   return deformed;
 }
 
-Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
-              const std::vector<DeformedInstance>& deformed) {
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
-  Bounds box{glm::vec3(kInfinity), glm::vec3(-kInfinity)};
+std::vector<Bounds> bounds_of_instances(const Scene& scene,
+                                        const std::vector<glm::mat4>& world_from_node,
+                                        const std::vector<DeformedInstance>& deformed) {
+  std::vector<Bounds> boxes;
   auto next = deformed.begin();
   for (size_t i = 0; i < scene.instances.size(); ++i) {
     const MeshInstance& instance = scene.instances[i];
@@ -114,6 +117,7 @@ Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
     const glm::mat4 world = world_from_instance(instance, world_from_node);
     const bool is_next = next != deformed.end() && next->instance == i;
     const std::vector<Vertex>& vertices = is_next ? next++->vertices : mesh.vertices;
+    Bounds& box = boxes.emplace_back(kAroundNothing);
     // Take only vertices that are drawn: files keep stray ones.
     for (const uint32_t index : mesh.indices) {
       const glm::vec3 point(world * glm::vec4(vertices[index].position, 1.0f));
@@ -122,7 +126,21 @@ Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
       box.max = glm::max(box.max, point);
     }
   }
-  return box.min.x <= box.max.x ? box : Bounds{};
+  return boxes;
+}
+
+Bounds bounds_around(std::span<const Bounds> boxes) {
+  Bounds all = kAroundNothing;
+  for (const Bounds& box : boxes) {
+    all.min = glm::min(all.min, box.min);
+    all.max = glm::max(all.max, box.max);
+  }
+  return all.min.x <= all.max.x ? all : Bounds{};
+}
+
+Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
+              const std::vector<DeformedInstance>& deformed) {
+  return bounds_around(bounds_of_instances(scene, world_from_node, deformed));
 }
 
 Bounds bounds_at(const Scene& scene, float time_s) {

@@ -3,6 +3,7 @@
 // vertices from here, so that they show the same geometry to the bit.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "scene/scene.h"
@@ -30,7 +31,15 @@ std::vector<DeformedInstance> deformed_instances(const Scene& scene,
                                                  const std::vector<glm::mat4>& world_from_node,
                                                  float time_s);
 
-// The box around all that is drawn, in world space; finite, as it leaves out what is not.
+// The box around what is drawn of each instance, in world space; finite, as it leaves out what is
+// not. Around nothing, min is greater than max.
+std::vector<Bounds> bounds_of_instances(const Scene& scene,
+                                        const std::vector<glm::mat4>& world_from_node,
+                                        const std::vector<DeformedInstance>& deformed);
+// Around several of those; a point at the origin if there is nothing in any.
+Bounds bounds_around(std::span<const Bounds> boxes);
+
+// Around all that is drawn.
 Bounds bounds(const Scene& scene, const std::vector<glm::mat4>& world_from_node,
               const std::vector<DeformedInstance>& deformed);
 Bounds bounds_at(const Scene& scene, float time_s);

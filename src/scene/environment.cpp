@@ -62,12 +62,9 @@ uint32_t environment_level_count(const Environment& environment) {
   return static_cast<uint32_t>(std::bit_width(std::max(environment.width, environment.height)));
 }
 
-uint32_t background_level(const Environment& environment, float vertical_fov_rad,
-                          uint32_t height_px) {
-  const float seen_rad =
-      2.0f * std::tan(0.5f * vertical_fov_rad) / static_cast<float>(std::max(height_px, 1u));
-  const float pixel_rad = glm::pi<float>() / static_cast<float>(environment.height);
-  const float level = std::floor(std::log2(seen_rad / pixel_rad));
+uint32_t background_level(const Environment& environment, float pixel_rad) {
+  const float own_pixel_rad = glm::pi<float>() / static_cast<float>(environment.height);
+  const float level = std::floor(std::log2(pixel_rad / own_pixel_rad));
   const float last = static_cast<float>(environment_level_count(environment) - 1);
   return static_cast<uint32_t>(std::clamp(level, 0.0f, last));
 }

@@ -38,9 +38,8 @@ EnvironmentLevel halved(const EnvironmentLevel& level);
 uint32_t environment_level_count(const Environment& environment);
 
 // The level at which the eye sees the picture: the coarsest whose pixels are no higher than those
-// of a view of `height_px` pixels are in its middle. One for the whole view, so that neither the
-// seam nor the poles show.
-uint32_t background_level(const Environment& environment, float vertical_fov_rad,
-                          uint32_t height_px);
+// of a view are on its axis, `pixel_rad` high. One for the whole view, so that neither the seam nor
+// the poles show.
+uint32_t background_level(const Environment& environment, float pixel_rad);
 
 }  // namespace lueur
