@@ -65,6 +65,8 @@ constexpr auto kScenes = std::to_array<BuiltinScene>({
      make_fixed<builtin::make_still_life>},
     {"table", "a table and its soft shadow in the light of a sunlit wall (58 000 triangles)",
      make_fixed<builtin::make_table>},
+    {"three-lights", "a hall with a sun, a spotlight and a bulb (10 000 triangles)",
+     make_fixed<builtin::make_three_lights>},
 });
 
 std::string scene_names() {

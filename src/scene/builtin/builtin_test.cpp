@@ -154,7 +154,7 @@ TEST_P(EveryBuiltin, LightsReachSomething) {
 INSTANTIATE_TEST_SUITE_P(Builtin, EveryBuiltin,
                          testing::Values("atrium", "atrium:triangles=10000", "basket", "cornell",
                                          "divider-room", "dominoes", "floating-object", "graveyard",
-                                         "spot-floor", "still-life", "table"),
+                                         "spot-floor", "still-life", "table", "three-lights"),
                          [](const auto& instance) {
                            std::string name;
                            for (const char c : instance.param) name += std::isalnum(c) ? c : '_';
@@ -165,10 +165,10 @@ TEST(BuiltinSpec, NamesWhatIsValid) {
   const std::map<std::string, std::string> expected = {
       {"sponza",
        "atrium, basket, cornell, divider-room, dominoes, floating-object, graveyard, spot-floor, "
-       "still-life, table"},
+       "still-life, table, three-lights"},
       {"",
        "atrium, basket, cornell, divider-room, dominoes, floating-object, graveyard, spot-floor, "
-       "still-life, table"},
+       "still-life, table, three-lights"},
       {"atrium:size=3", "triangles=N and object=FILE"},
       {"cornell:object=a.glb", "these have: divider-room, floating-object"},
       {"atrium:triangles=20000,object=a.glb", "'atrium' has no object"},

@@ -43,4 +43,7 @@ Scene make_table();
 // see: about 200 000 triangles.
 Scene make_still_life();
 
+// A hall with a sun, a spotlight and a bulb, on walls of different colours.
+Scene make_three_lights();
+
 }  // namespace lueur::builtin
