@@ -207,6 +207,27 @@ TEST(Table, GetsItsLightFromTheWallOnly) {
   }
 }
 
+TEST(ThreeLights, HasOneOfEachKindAndSunOnAPatch) {
+  const Scene scene = make("three-lights");
+  std::set<LightKind> kinds;
+  for (const Light& light : scene.lights) kinds.insert(light.kind);
+  EXPECT_EQ(kinds.size(), 3u);
+  EXPECT_EQ(scene.lights.size(), 3u);
+  // The opening has 1.4 x 4.4 m, some of which its own thickness shades; the floor 10 x 9.5 m.
+  const std::vector<glm::mat4> world = pose(scene, 0.0f);
+  const glm::vec3 to_sun = world[scene.lights[0].node][2];
+  constexpr int kSteps = 40;
+  int lit = 0;
+  for (int k = 0; k < kSteps * kSteps; ++k) {
+    const glm::vec2 share = (glm::vec2(k % kSteps, k / kSteps) + 0.5f) / float(kSteps);
+    const glm::vec3 floor(-5.0f + 10.0f * share.x, 1e-3f, -4.0f + 9.5f * share.y);
+    lit += std::isinf(ray_distance(scene, world, floor, to_sun));
+  }
+  const float area = 95.0f * float(lit) / float(kSteps * kSteps);
+  EXPECT_GT(area, 4.0f);
+  EXPECT_LT(area, 6.2f);
+}
+
 TEST(StillLife, HasAsManyTrianglesAsItsPaperSays) {
   EXPECT_NEAR(double(triangle_count(make("still-life"))), 202'000, 20'200);
 }
