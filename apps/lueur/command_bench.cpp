@@ -96,10 +96,10 @@ Outcome run(const BenchOptions& options) {
 }
 
 constexpr char kBenchFooter[] =
-    "Renders 3 frames to warm up, or N if that is less, and then N, and reports medians, with the\n"
-    "least and the quartiles, as machines are noisy. Every frame is the same one. Several\n"
-    "techniques or values are timed in turn, frame by frame, and each ratio is the median of those\n"
-    "to the first one in the same turn.\n"
+    "Renders 3 frames to warm up, or N if that is less, and then N, and reports medians, with\n"
+    "the least and the quartiles, as machines are noisy. Every frame is the same one. Several\n"
+    "techniques or values are timed in turn, frame by frame, and each ratio is the median of\n"
+    "those to the first one in the same turn.\n"
     "\n"
     "gpu ms is the device's own time of a pass. The frame's wall time and the CPU time of the\n"
     "whole process are taken around recording, submitting and waiting; the cpu ms of a pass are\n"

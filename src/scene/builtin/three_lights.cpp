@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A hall with a light of each kind: a sun that enters through an opening in the roof, a spotlight
-// on a red wall, and a bulb behind a screen. Neither shines on the ball, nor on the block: they show
-// what each of the three gives by its colour and side.
+// on a red wall, and a bulb behind a screen. None shines on the block, nor, at first, on the ball:
+// they show by colour and side what each of the three gives.
 #include <cmath>
 #include <glm/glm.hpp>
 
