@@ -142,6 +142,9 @@ TEST(MovingObjects, HaveBoxesThatFollowThem) {
   scene.nodes[3].translation = {0, 0, -4};
   animate(scene, 0);
   animate(scene, 4, glm::vec4(0.0f), {0, -2, 0, 0});
+  // What stands still is in none of them.
+  scene.nodes.emplace_back().translation = {64, 64, 64};
+  scene.instances.push_back({5, 0});
   add_morph_target(scene.meshes.emplace_back(scene.meshes[0]));
   scene.instances[3].mesh = 1;
   scene.instances[3].morph_weights = {0.5f};
