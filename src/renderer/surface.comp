@@ -23,9 +23,10 @@ void main() {
   if (any(greaterThanEqual(pixel, p.extent))) return;
   const vec3 color = texelFetch(base_color, pixel, 0).rgb;
   const vec4 m = texelFetch(material, pixel, 0);
-  imageStore(albedo, pixel, vec4(diffuse_albedo(color, m.r), 1.0));
-  const vec3 emitted = p.has_emission != 0 ? texelFetch(emission, pixel, 0).rgb : vec3(0.0);
+  const vec4 emission_here = texelFetch(emission, pixel, 0);  // alpha: 1 on surfaces
+  imageStore(albedo, pixel, vec4(diffuse_albedo(color, m.r), emission_here.a));
+  const vec3 emitted = p.has_emission != 0 ? emission_here.rgb : vec3(0.0);
   const bool keeps = keeps_light(m);
-  imageStore(source, pixel, vec4(keeps ? vec3(0.0) : emitted, 1.0));
+  imageStore(source, pixel, vec4(keeps ? vec3(0.0) : emitted, emission_here.a));
   imageStore(specular, pixel, vec4(keeps ? emitted : vec3(0.0), 0.0));
 }
