@@ -80,7 +80,7 @@ Image8 view_picture(const Pixels& pixels, float exposure_ev, ToneMap tone_map) {
   if (is("albedo")) return view_light(pixels, 0.0f, ToneMap::none);
   if (is("base_color") || is("material"))
     return mapped(pixels, [&](const float* s) { return three_channels(s, pixels.channels); });
-  if (is("depth") || is("shadow_map")) {
+  if (is("depth") || is("shadow_map") || is("object")) {
     const float most = largest(pixels);
     return mapped(pixels, [&](const float* s) { return vec3(s[0] / most); });
   }

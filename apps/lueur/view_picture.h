@@ -11,7 +11,7 @@ namespace lueur::cli {
 // What an image holds is told by its name, the part after the last dot of "pass.image":
 //   normal               x, y, z from [-1, 1] to red, green, blue; two channels are octahedral
 //   geometry             the same, black where nothing is
-//   depth, shadow_map    the value, the image's largest being white
+//   depth, shadow_map    the value, the image's largest being white; so is object
 //   motion               x, y to red, green around grey, the image's largest being 0 or 1
 //   albedo               as a white light would show it
 //   base_color, material the stored values
