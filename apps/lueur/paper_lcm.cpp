@@ -66,6 +66,34 @@ ImageF masked(ImageF light, const Mask& mask) {
   return light;
 }
 
+// The object and a little around it.
+struct Window {
+  uint32_t left, top, width, height;
+};
+
+Window window_of(const Mask& mask) {
+  uint32_t left = mask.width, right = 0, top = mask.height, bottom = 0;
+  for (uint32_t i = 0; i < mask.counts.size(); ++i) {
+    if (!counts(&mask, i)) continue;
+    left = std::min(left, i % mask.width), right = std::max(right, i % mask.width + 1);
+    top = std::min(top, i / mask.width), bottom = std::max(bottom, i / mask.width + 1);
+  }
+  if (left >= right) return {0, 0, mask.width, mask.height};
+  const uint32_t margin = std::max(mask.width / 64, 1u);
+  left -= std::min(left, margin), top -= std::min(top, margin);
+  right = std::min(right + margin, mask.width), bottom = std::min(bottom + margin, mask.height);
+  return {left, top, right - left, bottom - top};
+}
+
+ImageF cut_out(const ImageF& image, const Window& window) {
+  ImageF part(window.width, window.height, image.channels);
+  for (uint32_t y = 0; y < window.height; ++y)
+    std::copy_n(
+        &image.samples[(size_t{window.top + y} * image.width + window.left) * image.channels],
+        window.width * image.channels, &part.samples[size_t{y} * window.width * image.channels]);
+  return part;
+}
+
 Result<Lit> light_of(Session& session, std::vector<Candidate>& candidates, const Scene& scene,
                      const Subject& subject, const Place& place) {
   LUEUR_TRY(camera, find_camera(scene, place.camera));
@@ -131,6 +159,7 @@ Result<report::FigureSection> figure(Session& session, const PaperSetup& setup, 
     for (size_t p = 0; p < std::size(kPlaces); ++p) {
       LUEUR_TRY(lit, light_of(session, candidates, scene, subject, kPlaces[p]));
       const ImageF truth = masked(truths[p], lit.object);
+      const Window window = window_of(lit.object);
       std::vector<report::Cell> off_full = {kPlaces[p].name}, off_truth = {kPlaces[p].name};
       report::PictureRow row{{}, std::string(kPlaces[p].name) + ": " + where};
       const std::vector<Method> all = methods();
@@ -142,11 +171,11 @@ Result<report::FigureSection> figure(Session& session, const PaperSetup& setup, 
         off_truth.emplace_back(100.0 * relative_difference(light, truth, &lit.object));
         const bool is_side = i > 0 && i < full;
         if (all[i].is_shown)
-          row.pictures.push_back({shown(light, exposure_ev),
+          row.pictures.push_back({shown(cut_out(light, window), exposure_ev),
                                   is_side ? std::string("M = ") + all[i].name : all[i].name,
                                   {}});
       }
-      row.pictures.push_back({shown(truth, exposure_ev), "Path traced", {}});
+      row.pictures.push_back({shown(cut_out(truth, window), exposure_ev), "Path traced", {}});
       to_full.rows.push_back(std::move(off_full));
       to_truth.rows.push_back(std::move(off_truth));
       if (is_papers) section.blocks.emplace_back(std::move(row));
@@ -166,7 +195,7 @@ Result<report::FigureSection> figure(Session& session, const PaperSetup& setup, 
 
 Result<report::FigureSection> diffuse(Session& session, const PaperSetup& setup) {
   LUEUR_TRY(loaded, load_scene(kScene));
-  return figure(session, setup, loaded.scene, {"indirect", "indirect", {}, 0.5f});
+  return figure(session, setup, loaded.scene, {"indirect", "indirect", {}, 2.0f});
 }
 
 Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup) {
@@ -175,7 +204,7 @@ Result<report::FigureSection> glossy(Session& session, const PaperSetup& setup) 
                                    [](const Material& m) { return m.name == "porcelain"; });
   object->phong = PhongLobe{.color = glm::vec3(0.9f), .exponent = 5.0f};
   return figure(session, setup, loaded.scene,
-                {"indirect_specular", "indirect_specular", {"glossy=true"}, 0.5f});
+                {"indirect_specular", "indirect_specular", {"glossy=true"}, 2.0f});
 }
 
 }  // namespace lueur::cli::lcm
