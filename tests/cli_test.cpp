@@ -198,6 +198,7 @@ TEST_F(Cli, RenderReport) {
 // A preset is settings, whichever way it is asked for.
 TEST_F(Cli, Presets) {
   const auto techniques = nlohmann::json::parse(run({"techniques", "--json"}).out);
+  ASSERT_EQ(techniques["techniques"][0]["name"], "hierarchical");
   const auto& presets = techniques["techniques"][0]["presets"];
   ASSERT_EQ(presets[0]["name"], "fast");
   const Ended ended = render({"--json", "--preset", "fast", "--set", "samples=8"});

@@ -14,14 +14,14 @@ std::unique_ptr<Technique> make() {
 }
 
 const TechniqueInfo kTechniques[] = {
-    {"cube_map", "Localized cube maps around moving objects, and probes for what stands still.",
-     "Szirmay-Kalos, Lazányi 2006, SCCG", "own_map", CubeMap::settings_table(), make<CubeMap>},
     {"hierarchical", "Rings of samples in a pyramid of the camera's own G-buffer.",
      "Soler, Hoel, Rochet, Holzschuch 2009, INRIA RR-7162", "off_screen",
      Hierarchical::settings_table(), make<Hierarchical>, hierarchical_presets()},
     {"indirect_lights", "Patches that the lights shine on as lights, and negative ones.",
      "Cochran, Steele 2007, ACMSE", "gathered", IndirectLights::settings_table(),
      make<IndirectLights>},
+    {"cube_map", "Localized cube maps around moving objects, and probes for what stands still.",
+     "Szirmay-Kalos, Lazányi 2006, SCCG", "own_map", CubeMap::settings_table(), make<CubeMap>},
 };
 
 }  // namespace
