@@ -12,8 +12,7 @@
 namespace lueur {
 namespace {
 
-// Pixels that a thread adds up, a side: more would leave too few threads.
-constexpr uint32_t kMostASide = 16;
+constexpr uint32_t kThreads = 64;  // of a workgroup, which makes a texel
 
 }  // namespace
 
@@ -33,31 +32,17 @@ void capture_face(Frame& public_frame, Host& host, const View& view, const CubeC
     return frame.fail({ErrorKind::usage, "the engine gives no G-buffer of other views"});
   const Image background = host.background(public_frame, view, extent);
 
-  const uint32_t first_factor = std::min(factor, kMostASide);
-  const bool in_one_step = first_factor == factor;
-  const uint32_t first_side = capture.picture_px / first_factor;
-  const Image first =
-      in_one_step ? texels : frame.image("finer", {first_side, first_side}, kCubeTexelFormat);
   frame.dispatch("cube_maps.texels",
                  {.shader = shaders::cube_maps_texels_comp,
-                  .params = TexelsParams{screen_of_view(view, extent), ivec2(int(first_side)),
-                                         in_one_step ? corner : ivec2(0), int(first_factor),
+                  .params = TexelsParams{screen_of_view(view, extent), corner, factor,
                                          capture.far_m, background.valid() ? 1u : 0u},
                   .read = {{"depth", g.depth},
                            {"source", g.source},
                            {"background", background.valid() ? background : g.source}},
-                  .write = {{"texels", first}},
-                  .over = {first_side, first_side}});
+                  .write = {{"texels", texels}},
+                  .over = {kThreads * capture.side, capture.side}});
   host.give_back_all(public_frame, g);
   if (background.valid()) host.give_back(public_frame, background);
-  if (in_one_step) return;
-  frame.dispatch("cube_maps.average", {.shader = shaders::cube_maps_average_comp,
-                                       .params = AverageParams{ivec2(int(capture.side)), corner,
-                                                               int(factor / first_factor)},
-                                       .read = {{"finer", first}},
-                                       .write = {{"texels", texels}},
-                                       .over = {capture.side, capture.side}});
-  frame.release(first);
 }
 
 }  // namespace lueur

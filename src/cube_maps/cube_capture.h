@@ -22,8 +22,9 @@ struct CubeCapture {
   float far_m = 1000.0f;
 };
 
-// rgb is the mean radiance over a texel, that of the background where nothing is, and a
-// the mean distance from the eye (not along the optical axis) in metres.
+// rgb is the mean radiance over a texel, that of the background where nothing is, and a the mean
+// distance from the eye (not along the optical axis) in metres: of the surfaces that there are, if
+// there is no background.
 inline constexpr Format kCubeTexelFormat = Format::rgba32f;
 
 // A distance outside of all that is drawn, from wherever in it. Metres.

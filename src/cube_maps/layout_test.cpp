@@ -11,12 +11,9 @@ namespace {
 
 TEST(CubeMapsLayout, StructuresLieAsTheShadersReadThem) {
   expect_layout(shaders::cube_maps_texels_comp, "push", sizeof(TexelsParams),
-                {LUEUR_MEMBER(TexelsParams, screen), LUEUR_MEMBER(TexelsParams, extent),
-                 LUEUR_MEMBER(TexelsParams, corner), LUEUR_MEMBER(TexelsParams, factor),
-                 LUEUR_MEMBER(TexelsParams, far_m), LUEUR_MEMBER(TexelsParams, has_background)});
-  expect_layout(shaders::cube_maps_average_comp, "push", sizeof(AverageParams),
-                {LUEUR_MEMBER(AverageParams, extent), LUEUR_MEMBER(AverageParams, corner),
-                 LUEUR_MEMBER(AverageParams, factor)});
+                {LUEUR_MEMBER(TexelsParams, screen), LUEUR_MEMBER(TexelsParams, corner),
+                 LUEUR_MEMBER(TexelsParams, factor), LUEUR_MEMBER(TexelsParams, far_m),
+                 LUEUR_MEMBER(TexelsParams, has_background)});
   expect_layout(shaders::cube_maps_place_comp, "push", sizeof(PlaceParams),
                 {LUEUR_MEMBER(PlaceParams, screen), LUEUR_MEMBER(PlaceParams, side),
                  LUEUR_MEMBER(PlaceParams, map), LUEUR_MEMBER(PlaceParams, texels)});

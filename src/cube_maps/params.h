@@ -9,17 +9,10 @@ LUEUR_NAMESPACE_BEGIN
 
 struct TexelsParams {
   Screen screen;  // of the view, at its own extent
-  ivec2 extent;   // texels that are written
-  ivec2 corner;   // where the first of them goes
-  int factor;     // pixels a side of a texel
+  ivec2 corner;   // where the first texel goes
+  uint factor;    // pixels a side of a texel
   float far_m;
   uint has_background;
-};
-
-struct AverageParams {
-  ivec2 extent;
-  ivec2 corner;
-  int factor;
 };
 
 // A map's texels are those of its six faces, side by side in a row of the atlas.

@@ -18,6 +18,7 @@ using Light = std::vector<glm::dvec3>;  // a value a pixel
 
 constexpr uint32_t kPicturePx = 64;
 const Box kRoomBounds{{-3, -2, -3}, {3, 2, 3}};
+const double kFar = 2 * std::sqrt(36.0 + 16.0 + 36.0);
 
 // The inside of a sphere of radius 4 and radiance 1.
 std::optional<CpuHit> furnace(const glm::dvec3& o, const glm::dvec3& d) {
@@ -136,19 +137,19 @@ std::vector<ExactTexel> exact_map(const CpuScene& scene, const glm::dvec3& centr
     for (uint32_t y = 0; y < side; ++y) {
       for (uint32_t x = 0; x < side; ++x) {
         glm::dvec3 radiance(0);
-        double distance = 0;
+        double distance = 0, count = 0;
         for (uint32_t i = 0; i < factor * factor; ++i) {
           const size_t pixel =
               size_t{y * factor + i / factor} * kPicturePx + x * factor + i % factor;
           const bool is_there = g.depth[pixel] > 0;
-          const glm::dvec3 diagonal(6, 4, 6);
           radiance += is_there ? glm::dvec3(g.source[pixel]) : glm::dvec3(0);
-          distance += is_there ? glm::length(g.position_view[pixel]) : 2 * glm::length(diagonal);
+          if (is_there) distance += glm::length(g.position_view[pixel]);
+          count += is_there;
         }
         const glm::dvec3 ray((2 * x + 1.0) / side - 1, 1 - (2 * y + 1.0) / side, -1);
         const double l = glm::length(ray);
         texels.push_back({centre, glm::normalize(to_world * ray),
-                          radiance / double(factor * factor), distance / (factor * factor),
+                          radiance / double(factor * factor), count > 0 ? distance / count : kFar,
                           4 / (side * side * l * l * l + 4 / kPi)});
       }
     }
