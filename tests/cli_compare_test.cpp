@@ -202,11 +202,36 @@ TEST_F(CliCompare, PaperOfLightsHasItsTables) {
     EXPECT_LT(row[2].get<double>(), row[1].get<double>()) << row[0];
 }
 
+TEST_F(CliCompare, PaperOfCubeMapsHasItsTables) {
+  const Ended ended = run({"paper", "lcm", "--figures", "6,cost", "--size", "64x36",
+                           "--picture-size", "64x36", "--spp", "16", "--frames", "1", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json printed = Json::parse(ended.out);
+  ASSERT_EQ(printed["sections"].size(), 2u);
+  // Four places: off the full sum, off the truth; by one map in the room, by the object's own.
+  const std::vector<Json> rows = rows_of(printed["sections"][0]);
+  ASSERT_EQ(rows.size(), 16u);
+  for (const size_t table : {0u, 8u}) {
+    for (size_t place = 0; place < 4; ++place) {
+      const Json& row = rows[table + place];
+      const auto off = [&](size_t column) { return row[column].get<double>(); };
+      EXPECT_LT(off(2), off(1)) << row;  // two texels a side are better than the classical map
+      EXPECT_LT(off(4), off(2)) << row;
+      EXPECT_LT(off(6), 12.0) << row;
+    }
+  }
+  // What the object's own map gives is nearer to the truth than the classical map in the room.
+  for (size_t place = 0; place < 4; ++place)
+    EXPECT_LT(rows[12 + place][3].get<double>(), rows[4 + place][1].get<double>());
+  EXPECT_EQ(rows_of(printed["sections"][1]).size(), 3u);
+}
+
 TEST_F(CliCompare, PaperUsageErrors) {
   expect_error(2, {"paper"}, "NAME");
   expect_error(2, {"paper", "siggraph"}, "fdp");
   expect_error(2, {"paper", "hssil", "--figures", "9"}, "4, 5, 6");
   expect_error(2, {"paper", "sol", "--figures", "9"}, "1, 2, 5");
+  expect_error(2, {"paper", "lcm", "--figures", "9"}, "6, 7, cost");
   expect_error(2, {"paper", "fdp", "--figures", "2,5"}, "2, 3, 6, 7, 9, 10");
   expect_error(2, {"paper", "hssil", "--frames", "0"}, "--frames");
   expect_error(2, {"paper", "hssil", "--size", "8"}, "--size");

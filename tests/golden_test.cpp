@@ -36,6 +36,7 @@ void PrintTo(const Golden& golden, std::ostream* out) {
 constexpr Golden kGoldens[] = {
     {"cornell_direct", "cornell", nullptr, "composed"},
     {"cornell_hierarchical", "cornell", "hierarchical", "composed"},
+    {"cornell_cube_map", "cornell", "cube_map", "composed"},
     {"cornell_indirect_lights", "cornell", "indirect_lights", "composed"},
     {"spot_floor_direct", "spot-floor", nullptr, "composed"},
     {"spot_floor_hierarchical", "spot-floor", "hierarchical", "composed"},
