@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "cube_maps/equations.h"
 #include "lights/square_views.h"
@@ -180,7 +181,7 @@ class CubeMapTest : public GpuTest {
     settings_.share = 0.0f;
   }
   void render(CubeMap& technique, BallHost& host) {
-    g_ = cast_g_buffer(host.without({}), {64, 40}, 0.9, {0.2, 0.1, 5.5});
+    g_ = cast_g_buffer(host.without({}), {64, 40}, 0.9, eye_, turn_);
     g_.reflectance.assign(g_.depth.size(), {0.5f, 0.25f, 1.0f, -1.0f});
     std::vector<uint8_t> object(g_.depth.size());
     for (size_t i = 0; i < object.size(); ++i)
@@ -188,7 +189,8 @@ class CubeMapTest : public GpuTest {
     run([&](Frame& frame) {
       GBuffer g = g_.upload(recorder());
       g.object = recorder().upload_image("object", g_.extent, Format::r8, object.data());
-      const Outputs out = technique.render(frame, {.view = g_.view, .g_buffer = g, .host = &host});
+      const Outputs out =
+          technique.render(frame, {.view = g_.view, .g_buffer = g, .cut = is_cut_, .host = &host});
       recorder().read_back("diffuse", out.diffuse);
       if (out.specular.valid()) recorder().read_back("specular", out.specular);
     });
@@ -258,8 +260,15 @@ class CubeMapTest : public GpuTest {
     last_name_ = nullptr;
   }
 
+  // Turned, so that world and view are not taken for each other.
+  static glm::dmat3 turned(double yaw, double pitch) {
+    return glm::dmat3(glm::rotate(glm::rotate(glm::dmat4(1), yaw, {0, 1, 0}), pitch, {1, 0, 0}));
+  }
   Settings settings_;
   CpuGBuffer g_;
+  glm::dvec3 eye_{0.6, 0.5, 5.5};
+  glm::dmat3 turn_ = turned(0.1, -0.08);
+  bool is_cut_ = false;
 
  private:
   const char* last_name_ = nullptr;
@@ -279,6 +288,43 @@ TEST_F(CubeMapTest, ClassicalMapsTakeAllPointsForTheCentre) {
   settings_.side = Settings::Side::of_16;
   BallHost host(room, {{{-1.3, -0.5, -0.5}, 0.7}, {{1.5, 0.4, -1.4}, 0.9}});
   expect_diffuse(host);
+  // And from the other side, where panoramas are folded.
+  eye_ = {0.3, 0.2, -2.9};
+  turn_ = turned(kPi + 0.1, 0.05);
+  expect_diffuse(host);
+}
+
+// Between probes what they give is interpolated along each axis.
+TEST_F(CubeMapTest, ProbesAreInterpolated) {
+  settings_.probes = 2;  // 2 x 1 x 2 of them in a room of 6 x 4 x 6 m
+  BallHost host(room, {{{-0.3, -0.5, -0.5}, 0.5}});
+  render(host);
+  std::vector<std::vector<ExactTexel>> maps;  // x fastest
+  for (const double z : {-1.5, 1.5})
+    for (const double x : {-1.5, 1.5})
+      maps.push_back(exact_map(host.without({}), {x, 0, z}, side()));
+  const Light found = all("diffuse");
+  for (size_t i = 0; i < found.size(); ++i) {
+    const glm::dvec3 x = position(i), n = normal(i);
+    if (g_.depth[i] == 0 || host.ball_at(x)) continue;
+    const glm::dvec3 part = glm::clamp((x + 1.5) / 3.0, 0.0, 1.0);
+    const auto cosine = [&](const glm::dvec3& l) { return std::max(glm::dot(n, l), 0.0); };
+    glm::dvec3 want(0);
+    for (size_t c = 0; c < 4; ++c)
+      want += (c % 2 ? part.x : 1 - part.x) * (c / 2 ? part.z : 1 - part.z) *
+              exact_sum(maps[c], x, true, cosine) / kPi;
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(found[i][k], want[k], 1e-3 * want[k] + 2e-5) << i;
+  }
+}
+
+TEST_F(CubeMapTest, AfterACutNothingIsKept) {
+  BallHost host(room, {{{-0.6, 0, 0}, 0.8}});
+  CubeMap technique(settings_);
+  render(technique, host);
+  EXPECT_EQ(host.views, 12);
+  is_cut_ = true;
+  render(technique, host);
+  EXPECT_EQ(host.views, 24);
 }
 
 // Radiance 1 from everywhere gives 1 to all points and normals, as far as few texels can tell.
@@ -286,7 +332,7 @@ TEST_F(CubeMapTest, AFurnaceIsUniform) {
   settings_.probes = 0;
   BallHost host(furnace, {{{0.3, 0.2, 0}, 1.0}});
   const std::pair<Settings::Side, double> tolerances[] = {
-      {Settings::Side::of_2, 0.2}, {Settings::Side::of_4, 0.06}, {Settings::Side::of_8, 0.02}};
+      {Settings::Side::of_2, 0.2}, {Settings::Side::of_4, 0.07}, {Settings::Side::of_8, 0.02}};
   for (const auto& [side, tolerance] : tolerances) {
     settings_.side = side;
     render(host);
@@ -328,7 +374,7 @@ TEST_F(CubeMapTest, BlinnsLobeIsSummedTheSameWay) {
       ASSERT_EQ(found[i], glm::dvec3(0)) << i;
       continue;
     }
-    const glm::dvec3 to_eye = glm::normalize(glm::dvec3(0.2, 0.1, 5.5) - x);
+    const glm::dvec3 to_eye = glm::normalize(eye_ - x);
     const glm::dvec3 want =
         glm::dvec3(0.5, 0.25, 1.0) * exact_sum(map, x, true, [&](const glm::dvec3& l) {
           const double half = std::max(glm::dot(n, glm::normalize(l + to_eye)), 0.0);
