@@ -19,6 +19,7 @@ namespace lueur {
 // The functions that shared code calls, as GLSL spells them.
 using glm::abs;
 using glm::atan;
+using glm::ceil;
 using glm::clamp;
 using glm::cross;
 using glm::dot;

@@ -4,12 +4,12 @@
 #include <array>
 #include <glm/gtc/type_ptr.hpp>
 
-#include "frame/recorder.h"
+#include "frame/device_list.h"
+#include "frame/screen_of_view.h"
 #include "lights/light_rays.h"
 #include "lights/light_views.h"
 #include "techniques/indirect_lights/params.h"
 #include "techniques/indirect_lights/shaders.h"
-#include "frame/screen_of_view.h"
 
 namespace lueur {
 namespace {
@@ -173,14 +173,10 @@ Image IndirectLightsFrame::gather_where_needed(int factor) {
   const Extent low_extent{divide_up(extent_.width, side), divide_up(extent_.height, side)};
   const Gathered low = gather("indirect_lights.gather_low", low_extent, factor);
 
+  const uint32_t pixels = extent_.width * extent_.height;
   const BufferRef list =
-      frame_.buffer("list", (uint64_t{extent_.width} * extent_.height + 1) * sizeof(uint32_t));
-  const BufferRef groups = frame_.buffer("groups", 3 * sizeof(uint32_t));
+      device_list(frame_, "indirect_lights.begin_list", "list", pixels, sizeof(uint32_t));
   const Image diffuse = frame_.image("diffuse", extent_, Format::rgba16f);
-  frame_.dispatch("indirect_lights.begin_list",
-                  {.shader = shaders::techniques_indirect_lights_begin_list_comp,
-                   .write = {{"list", list}},
-                   .over = {1, 1}});
   frame_.dispatch(
       "indirect_lights.interpolate",
       {.shader = shaders::techniques_indirect_lights_interpolate_comp,
@@ -193,12 +189,8 @@ Image IndirectLightsFrame::gather_where_needed(int factor) {
        .over = {low_extent.width + 1, low_extent.height + 1}});
   frame_.release(low.diffuse);
   frame_.release(low.geometry);
-  frame_.dispatch("indirect_lights.end_list",
-                  {.shader = shaders::techniques_indirect_lights_end_list_comp,
-                   .constants = {{"pixels_per_group", kThreads * pixels_per_thread_}},
-                   .read = {{"list", list}},
-                   .write = {{"groups", groups}},
-                   .over = {1, 1}});
+  const BufferRef groups = groups_of_list(frame_, "indirect_lights.end_list", list, pixels,
+                                          kThreads * pixels_per_thread_);
   frame_.dispatch("indirect_lights.refine",
                   {.shader = shaders::techniques_indirect_lights_refine_comp,
                    .constants = constants(),
