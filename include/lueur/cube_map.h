@@ -7,12 +7,13 @@
 // A map shows what surrounds an object, without it: the mean radiance L_i of what is seen through
 // each of 6 M^2 texels, and its mean distance d_i. A point x of the object gets
 //
-//   L(x -> w) = sum over texels i of  L_i f(w_i, w) cos+(theta_i) dw*_i,                      LCM
-//   (3) dw*_i = d_i^2 dw_i / (|x - y_i|^2 (1 - dw_i / pi) + d_i^2 dw_i / pi),   y_i = o + d_i L_i /
-//   |L_i|,
+//   L(x -> w) = sum over texels i of  L_i f(w_i, w) cos+(theta_i) dw*_i,
 //
-// where o is the map's centre, dw_i the texel's solid angle from there, L_i its direction and w_i
-// that from x to y_i. What lies between x and y_i is not asked for.
+//   dw*_i = d_i^2 dw_i / (|x - y_i|^2 (1 - dw_i / pi) + d_i^2 dw_i / pi),
+//
+// LCM (3) and 4, where y_i lies d_i from the map's centre through the middle of the texel, dw_i is
+// the texel's solid angle from there, and w_i the direction from x to y_i. What lies between x and
+// y_i is not asked for.
 //
 // Objects are those of Host::objects(), each with a map around its centre; near ones share one. A
 // pixel of an object takes its map (GBuffer::object). All other pixels take scene probes, maps of
@@ -52,9 +53,11 @@ struct CubeMapSettings {
 //
 // Needs a host that renders views; objects and a background are optional. Of the camera: view,
 // depth, normal, `object` if there are any, and reflectance and lobes for glossy. render() fails
-// the frame (ErrorKind::usage) where one of them is missing.
+// the frame (ErrorKind::usage) where one of them is missing, and where the device has no image that
+// is high enough for all maps.
 //
-// Memory: 192 M^2 bytes a map, kept between frames, and 24 bytes a pixel while it renders, 32 with glossy.
+// Memory: 192 M^2 bytes a map, kept between frames, and 24 bytes a pixel while it renders, 32 with
+// glossy.
 class CubeMap final : public Technique {
  public:
   explicit CubeMap(CubeMapSettings settings = {});

@@ -16,7 +16,8 @@ namespace {
 
 // The software rasterizer ends a thread's loops after 65 535 rounds.
 constexpr uint32_t kMostTexelsAPass = 32768;
-constexpr uint32_t kPanoramaSide = 32, kPanoramas = 7;  // panorama.glsl
+// The panoramas of a map, side by side.
+constexpr Extent kPanoramas{kPanoramaSide * (1 + kRoughnesses), kPanoramaSide};
 
 glm::mat4 to_world(const Map& map, size_t face) {
   return world_from_face(cube_views(map.faces[face].origin)[face]);
@@ -41,8 +42,14 @@ CubeMapFrame::CubeMapFrame(Frame& frame, const CubeMapSettings& settings, const 
 
 bool CubeMapFrame::keep(const char* name, Extent of_a_map, Format format, Image& image) {
   const auto count = static_cast<uint32_t>(maps_.maps().size());
-  const HistoryImage history =
-      frame_.history(name, {of_a_map.width, of_a_map.height * count}, format);
+  const uint32_t height = of_a_map.height * count;
+  const uint32_t limit = frame_.device().properties.limits.maxImageDimension2D;
+  if (height > limit)
+    frame_.fail({ErrorKind::usage, "cube_map: " + std::to_string(count) + " maps need an image " +
+                                       std::to_string(height) + " pixels high, the device allows " +
+                                       std::to_string(limit) +
+                                       "; use a smaller `side`, or fewer maps or probes"});
+  const HistoryImage history = frame_.history(name, {of_a_map.width, height}, format);
   image = history.current;
   const bool lasts = !frame_.failed() && history.valid && !inputs_.cut;
   if (lasts) frame_.copy(history.previous, history.current);
@@ -60,9 +67,7 @@ void CubeMapFrame::capture() {
 
   bool lasts =
       keep("cube_map.atlas", {6 * atlas_.side, atlas_.side}, kCubeTexelFormat, atlas_.texels);
-  if (is_classical())
-    lasts &= keep("cube_map.panoramas", {kPanoramas * kPanoramaSide, kPanoramaSide},
-                  Format::rgba16f, panoramas_);
+  if (is_classical()) lasts &= keep("cube_map.panoramas", kPanoramas, Format::rgba16f, panoramas_);
   if (frame_.failed()) return;
   if (!lasts) maps_.forget();
 
@@ -106,7 +111,7 @@ void CubeMapFrame::convolve(uint32_t map) {
                    .params = place_params(atlas_, map),
                    .read = {{"atlas", atlas_.texels}, {"faces", atlas_.from_faces}},
                    .write = {{"panoramas", panoramas_}},
-                   .over = {kPanoramas * kPanoramaSide, kPanoramaSide}});
+                   .over = kPanoramas});
 }
 
 MapShare CubeMapFrame::share_of(uint32_t index) const {

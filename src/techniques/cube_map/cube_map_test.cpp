@@ -452,8 +452,10 @@ TEST_F(CubeMapTest, WhatIsMissingIsSaid) {
   const auto error_of = [&](const Settings& settings, Host* given) {
     const auto result = system().run([&](VkCommandBuffer commands) {
       Frame frame = context().record(commands);
-      CubeMap(settings).render(frame,
-                               {.view = g.view, .g_buffer = g.upload(recorder()), .host = given});
+      GBuffer images = g.upload(recorder());
+      const std::vector<uint8_t> nothing(64);
+      images.object = recorder().upload_image("object", g.extent, Format::r8, nothing.data());
+      CubeMap(settings).render(frame, {.view = g.view, .g_buffer = images, .host = given});
       return frame.finish();
     });
     return result.ok() ? std::string() : result.error().message;
@@ -463,6 +465,14 @@ TEST_F(CubeMapTest, WhatIsMissingIsSaid) {
   EXPECT_NE(error_of({.side = Settings::Side::of_128, .picture = Settings::Picture::of_64}, &host)
                 .find("`picture`"),
             std::string::npos);
+  BallHost many(room, std::vector<Ball>(64, {{0, 0, 0}, 0.1}));
+  if (82 * 256 > recorder().device().properties.limits.maxImageDimension2D) {
+    EXPECT_NE(
+        error_of({.side = Settings::Side::of_256, .most_maps = 64, .share = 0.0f, .probes = 3},
+                 &many)
+            .find("smaller `side`"),
+        std::string::npos);
+  }
   EXPECT_EQ(error_of({}, &host), "");
 }
 

@@ -6,7 +6,6 @@
 #include "shading/cosine_lobe.h"
 #include "shading/packing.h"
 #include "techniques/cube_map/panorama.glsl"
-#include "techniques/cube_map/params.h"
 
 layout(constant_id = 2) const uint glossy = 0;
 layout(local_size_x = 64, local_size_y = 1) in;

@@ -3,8 +3,7 @@
 // side by side, first that of diffuse surfaces by their normal, then those of GGX lobes by the
 // direction in which they mirror, from smooth to rough; the maps' one below the other.
 
-const int kPanoramaSide = 32;
-const int kRoughnesses = 6;  // perceptual: 0, 0.2, ... 1
+#include "techniques/cube_map/params.h"
 
 // The direction that a texel stands for.
 vec3 direction_of(ivec2 texel) {

@@ -7,6 +7,10 @@
 
 LUEUR_NAMESPACE_BEGIN
 
+// Of the panoramas of classical maps, see panorama.glsl.
+const int kPanoramaSide = 32;
+const int kRoughnesses = 6;  // perceptual: 0, 0.2, ... 1
+
 struct BeginParams {
   ivec2 extent;
 };
