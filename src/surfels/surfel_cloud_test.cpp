@@ -97,6 +97,21 @@ TEST_F(SurfelCloudTest, AHugeTriangleKeepsItsArea) {
   for (const Disc& disc : discs) ASSERT_GT(disc.normal.y, 0.999);
 }
 
+// Next to the eye there are fewer fine surfels than wanted: each then stands for more.
+TEST_F(SurfelCloudTest, WhatIsVeryNearKeepsItsArea) {
+  add_quad({-100, -0.5f, 100}, {200, 0, 0}, {0, 0, -200});
+  info_.margin_m = 300.0f;
+  info_.radius_px = 2.0f;
+  info_.surfels_capacity = 1u << 18;
+  const auto discs = cloud();
+  double near_area = 0;
+  for (const Disc& disc : discs)
+    if (glm::length(disc.position) < 2)
+      near_area += kPi * disc.radius_m * disc.radius_m / (kPi * (4 - 0.25));
+  EXPECT_NEAR(near_area, 1, 0.03);
+  EXPECT_NEAR(area_of(discs) / 40'000, 1, 0.01);
+}
+
 TEST_F(SurfelCloudTest, ThinTrianglesKeepTheirArea) {
   for (int i = 0; i < 2000; ++i) {
     const float x = -2 + 0.002f * float(i);
