@@ -51,6 +51,7 @@ struct ViewContent {
   int32_t light = kAllLights;
   // Indices of Host::objects() that are left out of the picture. They still cast shadows.
   std::span<const uint32_t> without{};
+  bool objects = false;  // GBuffer::object is wanted, too
 };
 
 // The engine's side. Called by techniques while they record, in the middle of a frame; what it

@@ -154,7 +154,7 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
           view_of_camera(side, now.world_from_node[static_cast<size_t>(side.node)], shot.extent));
     }
     const Inputs inputs{.view = view,
-                        .g_buffer = passes.g_buffer(),
+                        .g_buffer = passes.g_buffer(true),
                         .seed = shot.seed,
                         .previous_view = view_before,
                         .cut = cut,

@@ -89,7 +89,7 @@ GBuffer SceneHost::render_view(Frame&, const View& view, Extent extent,
   passes.show_surfaces(light == kAllLights, content.without);
   for (int32_t i = 0; i < count; ++i)
     if (light == kAllLights || light == i) passes.add_light(static_cast<size_t>(i));
-  GBuffer g = passes.g_buffer();
+  GBuffer g = passes.g_buffer(content.objects);
   // The view of the frame before is not known.
   g.motion = {};
   passes.release_all_but(g);

@@ -66,7 +66,8 @@ class SceneHostObjectsTest : public RendererTest {
     render(scene, kShot, &technique);
   }
   void read_back_view(Frame& frame, const Inputs& inputs, const std::string& prefix,
-                      const ViewContent& content = {}) {
+                      ViewContent content = {}) {
+    content.objects = true;
     const GBuffer g = inputs.host->render_view(frame, inputs.view, kExtent, content);
     frame.recorder().read_back(prefix + "_depth", g.depth);
     frame.recorder().read_back(prefix + "_source", g.source);
@@ -117,7 +118,8 @@ TEST_F(SceneHostObjectsTest, WhereNothingMovesThereAreNone) {
   ask(scene, [&](Frame& frame, const Inputs& inputs) {
     EXPECT_TRUE(inputs.host->objects().empty());
     EXPECT_FALSE(inputs.g_buffer.object.valid());
-    EXPECT_FALSE(inputs.host->render_view(frame, inputs.view, kExtent).object.valid());
+    EXPECT_FALSE(
+        inputs.host->render_view(frame, inputs.view, kExtent, {.objects = true}).object.valid());
   });
 }
 

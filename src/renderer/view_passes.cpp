@@ -94,7 +94,7 @@ bool ViewPasses::gives_emission() const {
   return emission_ && scene_.on_device().emits();
 }
 
-GBuffer ViewPasses::g_buffer() {
+GBuffer ViewPasses::g_buffer(bool objects) {
   GBuffer g{.depth = images_.depth,
             .normal = images_.normal,
             .source = images_.source,
@@ -108,7 +108,7 @@ GBuffer ViewPasses::g_buffer() {
                                                     {"lobes", scene_.lobes()}},
                                            .write = {{"reflectance", g.reflectance}},
                                            .over = extent_});
-  if (scene_.on_device().moving_objects().count > 0) g.object = object_image();
+  if (objects && scene_.on_device().moving_objects().count > 0) g.object = object_image();
   g.emission = images_.emission;
   if (scene_.on_device().keeps_light()) pass_on(g);
   if (!gives_emission()) g.emission = {};

@@ -22,7 +22,7 @@ class ViewPasses {
   // Adds one light's direct light.
   void add_light(size_t light);
   // What a technique gets. Before release_surfaces().
-  GBuffer g_buffer();
+  GBuffer g_buffer(bool objects);
   // What is neither in images() nor in g_buffer().
   void release_surfaces();
   // And all that are not `given`: for views that nobody else looks at.
