@@ -57,6 +57,26 @@ TEST_F(CliCompare, HoldsTechniquesAgainstReferences) {
             std::string::npos);
 }
 
+// All open without a technique: off by what the reference says is blocked. A technique without
+// occlusion has nothing to hold against it.
+TEST_F(CliCompare, HoldsOcclusionAgainstAmbient) {
+  const Ended ended = compare(
+      {"--techniques", "none,hierarchical", "--reference", "ambient:distance=100", "--json"});
+  ASSERT_EQ(ended.code, 0) << ended.err;
+  const Json printed = Json::parse(ended.out);
+  const Json& none = printed["entries"][0]["errors"]["ambient:distance=100"];
+  EXPECT_EQ(none.size(), 2u);
+  EXPECT_GT(none["occlusion_rmse"].get<double>(), 0.3);
+  EXPECT_GT(none["occlusion_bias"].get<double>(), 0.3);
+  EXPECT_TRUE(printed["entries"][1]["errors"].empty());
+  EXPECT_NE(text_of(folder_ / "out/index.html").find("occlusion_rmse"), std::string::npos);
+
+  const Ended text = compare({"--techniques", "none", "--reference", "path,ambient"});
+  ASSERT_EQ(text.code, 0) << text.err;
+  EXPECT_EQ(line_count(text.out), 4u) << text.out;
+  EXPECT_NE(text.out.find("occlusion"), std::string::npos) << text.out;
+}
+
 TEST_F(CliCompare, WorksWithoutTheTruth) {
   const Ended ended = compare({"--techniques", "none", "--reference", "", "--json"});
   ASSERT_EQ(ended.code, 0) << ended.err;
@@ -76,7 +96,7 @@ TEST_F(CliCompare, UsageErrors) {
   expect_fails({"--techniques", "magic"}, "magic");
   expect_fails({"--techniques", "none,none"}, "twice");
   expect_fails({"--techniques", "hierarchical:samples=0"}, "samples");
-  expect_fails({"--reference", "ambient"}, "ambient");
+  expect_fails({"--reference", "ambient:distance=0"}, "distance");
   expect_fails({"--reference", "path,path"}, "twice");
   expect_fails({"--reference", "path:spp=0"}, "spp");
   expect_fails({"--reference", "path:light=1"}, "light");

@@ -88,19 +88,22 @@ constexpr char kCompareFooter[] =
     "by `lueur bench`.\n"
     "\n"
     "--reference takes entries MODE:KEY=VALUE, separated by commas, of the modes of\n"
-    "`lueur reference` but ambient; keys are spp, bounces, error and form-factor. '' compares\n"
+    "`lueur reference`; keys are spp, bounces, error, distance and form-factor. '' compares\n"
     "without the truth. A reference's picture is the renderer's direct light and albedo with the\n"
-    "reference's indirect light, so that pictures differ by that alone.\n"
+    "reference's indirect light, so that pictures differ by that alone. Against ambient stands a\n"
+    "technique's occlusion, 1 for none; a technique that gives none has no row there.\n"
     "\n"
     "The errors rmse, rel_mse, psnr, ssim, flip, bias and rmse_scaled are those of `lueur diff`\n"
-    "on the composed pictures, indirect_... those of indirect light, E/pi before albedo. Pixels\n"
-    "that show no surface do not count. Times are of this device and machine.\n"
+    "on the composed pictures, indirect_... those of indirect light, E/pi before albedo, and\n"
+    "occlusion_... those of occlusion, 1 open and 0 closed. Pixels that show no surface do not "
+    "count. Times are of this device and machine.\n"
     "\n"
     "Examples:\n"
     "  lueur compare cornell -o out/cornell\n"
     "  lueur compare atrium --techniques hierarchical,hierarchical:start=full,none \\\n"
     "      --reference path,screen -o out/atrium\n"
-    "  lueur compare room.glb --reference path:bounces=4:error=0.02:spp=4096 -o out/room\n";
+    "  lueur compare room.glb --reference path:bounces=4:error=0.02:spp=4096 -o out/room\n"
+    "  lueur compare atrium --techniques hbao --reference ambient:distance=0.5 -o out/ao\n";
 
 }  // namespace
 

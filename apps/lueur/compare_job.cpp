@@ -2,7 +2,6 @@
 #include "compare_job.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -113,48 +112,83 @@ Result<void> compare(const CompareJob& job, const Scene& scene, const Traced& tr
     report::Entry entry = entry_of(candidates[i], summaries[i], frame.pixels);
     for (const report::Reference& truth : comparison.references) {
       LUEUR_TRY(errors, errors_between(entry.pictures, truth.pictures, truth.label, surfaces));
-      entry.errors.push_back(std::move(errors));
+      if (!errors.values.empty()) entry.errors.push_back(std::move(errors));
     }
     comparison.entries.push_back(std::move(entry));
   }
-  const ImageF& metered = comparison.references.empty()
-                              ? comparison.direct
-                              : comparison.references.front().pictures.composed;
+  const auto lit =
+      std::ranges::find_if(comparison.references, [](const report::Reference& reference) {
+        return !reference.pictures.composed.samples.empty();
+      });
+  const ImageF& metered =
+      lit == comparison.references.end() ? comparison.direct : lit->pictures.composed;
   comparison.exposure_ev = static_cast<double>(exposure_ev({}, scene.exposure_ev, metered));
   return {};
 }
 
-double value_of(const report::Errors& errors, std::string_view metric) {
-  const auto found =
-      std::find_if(errors.values.begin(), errors.values.end(),
-                   [&](const report::ErrorValue& value) { return value.metric == metric; });
-  LUEUR_CHECK(found != errors.values.end());
-  return found->value;
+// A column of the printed table.
+struct Column {
+  std::string_view metric;
+  const char* heading;
+  const char* second_line;
+  const char* format;
+};
+constexpr Column kColumns[] = {{"flip", "flip", "", "%10.4f"},
+                               {"bias", "bias", "", "%+10.4f"},
+                               {"indirect_bias", "indirect", "bias", "%+10.4f"},
+                               {"indirect_rel_mse", "indirect", "rel mse", "%10.4f"},
+                               {"occlusion_rmse", "occlusion", "rmse", "%10.4f"},
+                               {"occlusion_bias", "occlusion", "bias", "%+10.4f"}};
+
+const report::ErrorValue* find_value(const report::Errors& errors, std::string_view metric) {
+  const auto found = std::ranges::find(errors.values, metric, &report::ErrorValue::metric);
+  return found == errors.values.end() ? nullptr : &*found;
+}
+
+// Those of which there is a number.
+std::vector<Column> columns_of(const report::Comparison& comparison) {
+  std::vector<Column> columns;
+  for (const Column& column : kColumns) {
+    const bool used = std::ranges::any_of(comparison.entries, [&](const report::Entry& entry) {
+      return std::ranges::any_of(entry.errors, [&](const report::Errors& errors) {
+        return find_value(errors, column.metric) != nullptr;
+      });
+    });
+    if (used) columns.push_back(column);
+  }
+  return columns;
 }
 
 std::string text_of(const report::Comparison& comparison) {
-  char line[256];
+  const std::vector<Column> columns = columns_of(comparison);
+  char cell[256];
   std::string text;
-  for (const auto& [technique, reference, ms, flip, bias, indirect_bias, indirect_rel_mse] :
-       {std::array{"technique", "reference", "ms", "flip", "bias", "indirect", "indirect"},
-        std::array{"", "", "", "", "", "bias", "rel mse"}}) {
-    std::snprintf(line, sizeof(line), "%-36s %-20s %9s %7s %8s %9s %9s\n", technique, reference, ms,
-                  flip, bias, indirect_bias, indirect_rel_mse);
-    text += line;
-  }
+  const auto add = [&](const char* format, auto... values) {
+    std::snprintf(cell, sizeof(cell), format, values...);
+    text += cell;
+  };
+  const auto add_row = [&](const report::Entry& entry, const report::Errors* errors) {
+    add("%-36s %-20s %9.2f", printable(entry.label).c_str(),
+        errors ? printable(errors->reference).c_str() : "-", entry.technique_ms);
+    for (const Column& column : columns) {
+      const report::ErrorValue* value = errors ? find_value(*errors, column.metric) : nullptr;
+      if (value)
+        add(column.format, value->value);
+      else
+        add("%10s", "-");
+    }
+    text += "\n";
+  };
+
+  add("%-36s %-20s %9s", "technique", "reference", "ms");
+  for (const Column& column : columns) add("%10s", column.heading);
+  text += "\n";
+  add("%-36s %-20s %9s", "", "", "");
+  for (const Column& column : columns) add("%10s", column.second_line);
+  text += "\n";
   for (const report::Entry& entry : comparison.entries) {
-    for (const report::Errors& errors : entry.errors) {
-      std::snprintf(line, sizeof(line), "%-36s %-20s %9.2f %7.4f %+8.4f %+9.4f %9.4f\n",
-                    printable(entry.label).c_str(), printable(errors.reference).c_str(),
-                    entry.technique_ms, value_of(errors, "flip"), value_of(errors, "bias"),
-                    value_of(errors, "indirect_bias"), value_of(errors, "indirect_rel_mse"));
-      text += line;
-    }
-    if (entry.errors.empty()) {
-      std::snprintf(line, sizeof(line), "%-36s %-20s %9.2f\n", printable(entry.label).c_str(), "-",
-                    entry.technique_ms);
-      text += line;
-    }
+    for (const report::Errors& errors : entry.errors) add_row(entry, &errors);
+    if (entry.errors.empty()) add_row(entry, nullptr);
   }
   return text;
 }

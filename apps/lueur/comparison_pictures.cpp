@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "comparison_pictures.h"
 
+#include <cmath>
 #include <string_view>
 
 #include "base/check.h"
 #include "base/try.h"
 #include "image/picture_error.h"
+#include "image/sample_error.h"
 #include "picture.h"
 
 namespace lueur::cli {
@@ -14,6 +16,8 @@ namespace {
 constexpr std::string_view kIndirectMetrics[] = {"rmse", "rel_mse", "bias", "rmse_scaled"};
 // The relative error that a map shows brightest: half of the light.
 constexpr double kFullRelativeError = 0.5;
+// And of occlusion: half of what there can be.
+constexpr double kFullOcclusionError = 0.5;
 
 ImageF image_named(std::span<const Pixels> rendered, std::string_view name) {
   const Pixels* pixels = find_pixels(rendered, name);
@@ -28,6 +32,35 @@ double value_of(const PictureErrors& errors, std::string_view metric) {
   return 0.0;
 }
 
+// The standard metric `name` as one of a part of the picture.
+report::Metric metric_of_part(const std::string& part, std::string_view name,
+                              const std::string& summary) {
+  for (report::Metric metric : report::standard_metrics()) {
+    if (metric.name != name) continue;
+    metric.name = part + "_" + metric.name;
+    metric.label = part + " " + metric.label;
+    metric.summary = summary + metric.summary;
+    return metric;
+  }
+  LUEUR_CHECK(!"a metric that results.h does not know");
+  return {};
+}
+
+Result<report::Errors> occlusion_errors(const ImageF& test, const ImageF& reference,
+                                        const std::string& reference_label, const Mask& surfaces) {
+  report::Errors errors{reference_label, {}, {}};
+  if (test.samples.empty()) return errors;
+  LUEUR_TRY_VOID(check_comparable(test, reference));
+  const SampleErrors samples = sample_errors(test, reference, &surfaces);
+  errors.values = {{"occlusion_rmse", samples.rmse}, {"occlusion_bias", samples.bias}};
+  ImageF difference = test;
+  for (size_t i = 0; i < difference.samples.size(); ++i)
+    difference.samples[i] =
+        surfaces.counts[i] ? std::abs(difference.samples[i] - reference.samples[i]) : 0.0f;
+  errors.maps.push_back({"occlusion_rmse", std::move(difference), kFullOcclusionError});
+  return errors;
+}
+
 }  // namespace
 
 ImageF direct_of(std::span<const Pixels> rendered) {
@@ -39,6 +72,7 @@ ImageF direct_of(std::span<const Pixels> rendered) {
 
 report::Pictures pictures_of(const reference::Rendering& rendering,
                              std::span<const Pixels> rendered) {
+  if (const ImageF* occlusion = find_layer(rendering, "occlusion")) return {{}, {}, *occlusion};
   report::Pictures pictures{direct_of(rendered), *find_layer(rendering, "indirect")};
   const ImageF albedo = image_named(rendered, "albedo");
   const ImageF* specular = find_layer(rendering, "indirect_specular");
@@ -60,28 +94,33 @@ report::Pictures pictures_of(std::span<const Pixels> rendered) {
   const Pixels* indirect = find_pixels(rendered, "indirect");
   pictures.indirect = indirect ? as_image(*indirect, 3)
                                : ImageF(pictures.composed.width, pictures.composed.height, 3);
+  if (const Pixels* occlusion = find_pixels(rendered, "occlusion")) {
+    pictures.occlusion = as_image(*occlusion, 1);
+  } else if (!indirect && !find_pixels(rendered, "indirect_specular")) {
+    pictures.occlusion = ImageF(pictures.composed.width, pictures.composed.height, 1);
+    for (float& open : pictures.occlusion.samples) open = 1.0f;
+  }
   return pictures;
 }
 
 std::vector<report::Metric> comparison_metrics() {
   std::vector<report::Metric> metrics = report::standard_metrics();
-  const size_t standard = metrics.size();
-  for (const std::string_view name : kIndirectMetrics) {
-    for (size_t i = 0; i < standard; ++i) {
-      if (metrics[i].name != name) continue;
-      report::Metric metric = metrics[i];
-      metric.name = "indirect_" + metric.name;
-      metric.label = "indirect " + metric.label;
-      metric.summary = "The same of indirect light alone, E/π before albedo. " + metric.summary;
-      metrics.push_back(std::move(metric));
-    }
-  }
+  for (const std::string_view name : kIndirectMetrics)
+    metrics.push_back(
+        metric_of_part("indirect", name, "The same of indirect light alone, E/π before albedo. "));
+  metrics.push_back({"occlusion_rmse", "occlusion RMSE", "", report::Better::lower,
+                     "Root of the mean squared difference of occlusion, 1 open, 0 closed."});
+  metrics.push_back({"occlusion_bias", "occlusion bias", "", report::Better::nearer_zero,
+                     "Mean signed difference of occlusion over the reference's mean: above 0 the "
+                     "technique is too open."});
   return metrics;
 }
 
 Result<report::Errors> errors_between(const report::Pictures& test,
                                       const report::Pictures& reference,
                                       const std::string& reference_label, const Mask& surfaces) {
+  if (!reference.occlusion.samples.empty())
+    return occlusion_errors(test.occlusion, reference.occlusion, reference_label, surfaces);
   LUEUR_TRY(composed, scene_errors(test.composed, reference.composed, &surfaces));
   LUEUR_TRY(indirect, scene_errors(test.indirect, reference.indirect, &surfaces));
   report::Errors errors{reference_label, {}, {}};

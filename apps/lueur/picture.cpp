@@ -77,6 +77,7 @@ std::vector<ImageLayer> exr_layers(std::span<const Pixels> all, float near_m,
   if (const Pixels* indirect = pixels("indirect"); indirect && !diffuse_alpha.empty())
     layers.push_back({std::string(diffuse_alpha), alpha(*indirect)});
   add_as_is("indirect_specular", "indirect_specular", 3);
+  add_as_is("occlusion", "occlusion", 1);
   add_as_is("albedo", "albedo", 3);
   if (const Pixels* normal = pixels("normal"); normal && depth)
     layers.push_back({"normal", world_normal(*normal, *depth)});

@@ -13,7 +13,7 @@
 namespace lueur::cli {
 
 // Channels of all layers that exr_layers() makes.
-inline constexpr uint32_t kExrChannels = 34;
+inline constexpr uint32_t kExrChannels = 35;
 
 // The image of this name, or nullptr.
 const Pixels* find_pixels(std::span<const Pixels> all, std::string_view name);
@@ -27,6 +27,7 @@ ImageF as_image(const Pixels& pixels, uint32_t channels);
 //   indirect    the technique's E/pi, before albedo
 //   `diffuse_alpha`  its alpha, named as TechniqueInfo has it; left out where that is empty
 //   indirect_specular  the technique's radiance through glossy lobes
+//   occlusion   the technique's, 1 open, 0 closed
 //   albedo      diffuse, linear
 //   normal      unit, world space; 0 where nothing is
 //   depth       distance along the optical axis in metres; 0 where nothing is

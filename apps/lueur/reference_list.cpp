@@ -63,9 +63,6 @@ Result<std::vector<ChosenReference>> choose_references(std::string_view flag, st
     const std::vector<std::string> parts = split(entry, ':');
     ChosenReference chosen{entry, defaults};
     LUEUR_TRY(mode, parse_mode(flag, parts.front()));
-    if (mode == reference::Mode::ambient)
-      return Error{ErrorKind::usage,
-                   where + ": ambient has no light to compare; take path or screen"};
     chosen.settings.mode = mode;
     // As many samples as a path takes say little of a picture's pixels: sum all of them.
     if (mode == reference::Mode::screen_unoccluded) chosen.settings.spp = 0;

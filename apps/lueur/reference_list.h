@@ -23,8 +23,7 @@ Result<void> set_reference(reference::Settings& settings, std::string_view where
                            const std::string& key, const std::string& value);
 
 // Entries `mode:key=value:key=value`, separated by commas, in their order, each given once; what an
-// entry leaves out is that of `defaults`. An empty list is no reference. ambient is refused, as it
-// has no light to compare.
+// entry leaves out is that of `defaults`. An empty list is no reference.
 Result<std::vector<ChosenReference>> choose_references(std::string_view flag, std::string_view list,
                                                        const reference::Settings& defaults);
 

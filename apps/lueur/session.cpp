@@ -118,6 +118,7 @@ Image image_named(const RenderedImages& images, std::string_view name) {
       {"specular", &RenderedImages::specular},
       {"indirect", &RenderedImages::indirect},
       {"indirect_specular", &RenderedImages::indirect_specular},
+      {"occlusion", &RenderedImages::occlusion},
       {"composed", &RenderedImages::composed}};
   for (const auto& [known, image] : kImages)
     if (known == name) return images.*image;

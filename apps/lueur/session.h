@@ -62,9 +62,9 @@ struct FrameRecord {
 
 // Names of the renderer's images, as in RenderedImages, that are to come back with a frame.
 using ImageNames = std::vector<std::string_view>;
-inline const ImageNames kAllImages = {"composed", "depth",    "normal",           "albedo",
-                                      "material", "emission", "motion",           "source",
-                                      "specular", "indirect", "indirect_specular"};
+inline const ImageNames kAllImages = {
+    "composed", "depth",  "normal",   "albedo",   "material",          "emission",
+    "motion",   "source", "specular", "indirect", "indirect_specular", "occlusion"};
 
 // Records, submits and waits. Images that the frame does not have are left out.
 Result<FrameRecord> render_frame(Session& session, Renderer& renderer, const Shot& shot,

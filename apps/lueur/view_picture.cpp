@@ -77,7 +77,7 @@ Image8 view_picture(const Pixels& pixels, float exposure_ev, ToneMap tone_map) {
   const auto is = [&](std::string_view part) { return name.find(part) != std::string_view::npos; };
   if (is("normal")) return view_normal(pixels);
   if (is("geometry")) return view_geometry(pixels);
-  if (is("albedo")) return view_light(pixels, 0.0f, ToneMap::none);
+  if (is("albedo") || is("occlusion")) return view_light(pixels, 0.0f, ToneMap::none);
   if (is("base_color") || is("material"))
     return mapped(pixels, [&](const float* s) { return three_channels(s, pixels.channels); });
   if (is("depth") || is("shadow_map") || is("object")) {

@@ -14,6 +14,7 @@ namespace lueur::cli {
 //   depth, shadow_map    the value, the image's largest being white; so is object
 //   motion               x, y to red, green around grey, the image's largest being 0 or 1
 //   albedo               as a white light would show it
+//   occlusion            the value, as a white light would show it
 //   base_color, material the stored values
 //   anything else        light: exposed and tone mapped like the picture
 Image8 view_picture(const Pixels& pixels, float exposure_ev, ToneMap tone_map);

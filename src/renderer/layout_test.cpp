@@ -88,6 +88,8 @@ TEST(RendererLayout, SurfaceAndComposition) {
   expect_layout(shaders::renderer_compose_comp, "push", sizeof(ComposeParams),
                 {LUEUR_MEMBER(ComposeParams, extent), LUEUR_MEMBER(ComposeParams, has_indirect),
                  LUEUR_MEMBER(ComposeParams, has_indirect_specular)});
+  expect_layout(shaders::renderer_compose_occluded_comp, "push", sizeof(ComposeOccludedParams),
+                {LUEUR_MEMBER(ComposeOccludedParams, extent)});
 }
 
 }  // namespace

@@ -143,6 +143,10 @@ struct ComposeParams {
   uint has_indirect_specular;
 };
 
+struct ComposeOccludedParams {
+  ivec2 extent;
+};
+
 // The direction of a pixel in the environment's picture is corner + x step_x + y step_y.
 struct BackgroundParams {
   ivec2 extent;

@@ -83,6 +83,20 @@ void compose(Recorder& frame, RenderedImages& images) {
        .over = extent});
 }
 
+// Of a technique that gives nothing but occlusion.
+void compose_occluded(Recorder& frame, RenderedImages& images) {
+  const Extent extent = images.depth.extent;
+  images.composed = frame.image("composed", extent, Format::rgba16f);
+  frame.dispatch("renderer.compose_occluded", {.shader = shaders::renderer_compose_occluded_comp,
+                                               .params = ComposeOccludedParams{as_ivec2(extent)},
+                                               .read = {{"source", images.source},
+                                                        {"emission", images.emission},
+                                                        {"specular", images.specular},
+                                                        {"occlusion", images.occlusion}},
+                                               .write = {{"composed", images.composed}},
+                                               .over = extent});
+}
+
 }  // namespace
 
 View view_of(const Scene& scene, const Shot& shot) {
@@ -165,8 +179,12 @@ RenderedImages Renderer::record(Frame& public_frame, const Shot& shot, Technique
     const Outputs outputs = technique->render(public_frame, inputs);
     images.indirect = outputs.diffuse;
     images.indirect_specular = outputs.specular;
+    images.occlusion = outputs.occlusion;
   }
-  compose(frame, images);
+  if (images.occlusion.valid() && !images.indirect.valid() && !images.indirect_specular.valid())
+    compose_occluded(frame, images);
+  else
+    compose(frame, images);
   if (state_->background) state_->background->record(frame, view, images.depth, images.composed);
   return images;
 }

@@ -3,8 +3,11 @@
 //
 // Each frame: G-buffer -> shadow maps -> direct light (diffuse source radiance and specular apart)
 // -> technique -> composition `source + albedo * indirect + specular + indirect specular` -> the
-// environment where there is no surface. The environment's light upon surfaces is indirect and left
-// to techniques: like the light of all that glows, it is in none of the images of direct light.
+// environment where there is no surface. Occlusion is no light: the composition leaves it alone,
+// unless it is all that a technique gives. Then diffuse direct light is multiplied by it, as games
+// without indirect light do, so that there is something to look at. The environment's light upon
+// surfaces is indirect and left to techniques: like the light of all that glows, it is in none of
+// the images of direct light.
 //
 // A technique gets all that lueur/technique.h offers, Host included; side views are those that the
 // shot names, and `emission` is valid if any material of the scene emits.
@@ -53,6 +56,7 @@ struct RenderedImages {
   Image specular;
   Image indirect;           // rgba16f: E/pi from the technique; invalid without one
   Image indirect_specular;  // rgba16f: radiance from the technique; invalid if it gives none
+  Image occlusion;          // r16f: 1 open, 0 closed, from the technique; invalid if it gives none
   Image composed;           // rgba16f: the picture, scene-referred
 };
 

@@ -23,6 +23,7 @@ void RendererTest::render(const Scene& scene, const Shot& shot, Technique* techn
     r.read_back("specular", images.specular);
     r.read_back("indirect", images.indirect);
     r.read_back("indirect_specular", images.indirect_specular);
+    r.read_back("occlusion", images.occlusion);
     r.read_back("composed", images.composed);
   });
   images_ = recorder().read_back_pixels();

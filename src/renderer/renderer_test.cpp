@@ -228,16 +228,26 @@ class GivenLight final : public Technique {
     std::vector<uint16_t> halves;
     for (size_t i = 0; i < size_t{extent.width} * extent.height; ++i)
       for (size_t c = 0; c < 4; ++c) halves.push_back(half_from_float(value(i, c)));
+    std::vector<uint16_t> open;
+    for (size_t i = 0; i < size_t{extent.width} * extent.height; ++i)
+      open.push_back(half_from_float(open_share(i)));
     Outputs outputs;
-    outputs.diffuse =
-        frame.recorder().upload_image("given", extent, Format::rgba16f, halves.data());
+    if (gives_diffuse)
+      outputs.diffuse =
+          frame.recorder().upload_image("given", extent, Format::rgba16f, halves.data());
+    if (gives_occlusion)
+      outputs.occlusion =
+          frame.recorder().upload_image("given_occlusion", extent, Format::r16f, open.data());
     if (gives_specular)
       outputs.specular =
           frame.recorder().upload_image("given_specular", extent, Format::rgba16f, halves.data());
     return outputs;
   }
   void* settings() override { return nullptr; }
+  bool gives_diffuse = true;
   bool gives_specular = false;
+  bool gives_occlusion = false;
+  static float open_share(size_t pixel) { return static_cast<float>(pixel % 17) / 16.0f; }
   static float value(size_t pixel, size_t channel) {
     return static_cast<float>((pixel * 7 + channel * 3) % 31) / 8.0f;
   }
@@ -249,9 +259,11 @@ TEST_F(SurfaceTest, ThePictureIsSourcePlusAlbedoTimesIndirectPlusSpecular) {
   scene.materials.back().emission = {0.25f, 0, 0};
   screen(scene, {0, 0, 0}, 0.9f, gloss);
   add_light(scene, LightKind::point, 5.0f, {0.5f, 0.5f, 1.0f});
-  GivenLight technique, with_specular;
+  GivenLight technique, with_specular, with_occlusion;
   with_specular.gives_specular = true;
-  for (GivenLight* used : {static_cast<GivenLight*>(nullptr), &technique, &with_specular}) {
+  with_occlusion.gives_occlusion = true;  // of which the picture takes no notice
+  for (GivenLight* used :
+       {static_cast<GivenLight*>(nullptr), &technique, &with_specular, &with_occlusion}) {
     render(scene, {.extent = kExtent}, used);
     double brightest_specular = 0;
     for (const PixelRay& ray : rays()) {
@@ -273,6 +285,31 @@ TEST_F(SurfaceTest, ThePictureIsSourcePlusAlbedoTimesIndirectPlusSpecular) {
     }
     EXPECT_GT(brightest_specular, 0.01);
   }
+}
+
+TEST_F(SurfaceTest, OcclusionWithoutLightDarkensWhatIsNotEmitted) {
+  Scene scene = frontal();
+  const int32_t gloss = builtin::add_material(scene, "gloss", glm::vec3(0.7f, 0.3f, 0.1f), 0.4f);
+  scene.materials.back().emission = {0.25f, 0, 0};
+  screen(scene, {0, 0, 0}, 0.9f, gloss);
+  add_light(scene, LightKind::point, 5.0f, {0.5f, 0.5f, 1.0f});
+  GivenLight technique;
+  technique.gives_diffuse = false;
+  technique.gives_occlusion = true;
+  render(scene, {.extent = kExtent}, &technique);
+  float brightest = 0;
+  for (const PixelRay& ray : rays()) {
+    const float open = GivenLight::open_share(ray.index);
+    ASSERT_EQ(at("occlusion", ray).x, open);
+    const glm::vec4 source = at("source", ray), emission = at("emission", ray);
+    for (int c = 0; c < 3; ++c) {
+      const float reflected = source[c] - emission[c];
+      brightest = std::max(brightest, reflected);
+      const float exact = emission[c] + open * reflected + at("specular", ray)[c];
+      ASSERT_NEAR(at("composed", ray)[c], exact, exact / 1024) << ray.x << ", " << ray.y;
+    }
+  }
+  EXPECT_GT(brightest, 0.01f);
 }
 
 TEST_F(SurfaceTest, EmptyScenesAndSinglePixelsWork) {

@@ -26,6 +26,7 @@ void check_image(const Comparison& comparison, const ImageF& image, uint32_t cha
 void check_pictures(const Comparison& comparison, const Pictures& pictures) {
   check_image(comparison, pictures.composed, 3);
   check_image(comparison, pictures.indirect, 3);
+  check_image(comparison, pictures.occlusion, 1);
 }
 
 void check_metric(const Comparison& comparison, const std::string& name) {
@@ -51,6 +52,13 @@ void check(const Comparison& comparison) {
     check_pictures(comparison, entry.pictures);
     for (const Errors& errors : entry.errors) check_errors(comparison, errors);
   }
+}
+
+// Three equal channels, of which the page's packing keeps one.
+ImageF grey(const ImageF& image) {
+  ImageF result(image.width, image.height, 3);
+  for (size_t i = 0; i < result.samples.size(); ++i) result.samples[i] = image.samples[i / 3];
+  return result;
 }
 
 // What the page shows: the results, and pictures by their number.
@@ -96,6 +104,7 @@ class PageData {
     Json numbers = Json::object();
     numbers["composed"] = add(pictures.composed, label);
     numbers["indirect"] = add(pictures.indirect, label + ", indirect light");
+    numbers["occlusion"] = add(grey(pictures.occlusion), label + ", occlusion");
     return numbers;
   }
 

@@ -21,11 +21,12 @@ namespace lueur::report {
 
 using Json = nlohmann::ordered_json;
 
-// One rendering, linear and scene-referred, 3 channels. An image without pixels is one that does
-// not exist; the page leaves it out.
+// One rendering. An image without pixels is one that does not exist; the page leaves it out.
 struct Pictures {
-  ImageF composed;  // what the camera sees: direct + albedo * indirect + specular
-  ImageF indirect;  // the indirect light alone: E/pi, before albedo
+  // Linear and scene-referred, 3 channels.
+  ImageF composed;     // what the camera sees: direct + albedo * indirect + specular
+  ImageF indirect;     // the indirect light alone: E/pi, before albedo
+  ImageF occlusion{};  // 1 channel: 1 open, 0 closed
 };
 
 // Which values of a metric are better.

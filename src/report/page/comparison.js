@@ -53,7 +53,7 @@ function showPictures(data) {
   // The read-out wants all pictures; those on screen come first.
   viewer.draw();
   for (const view of views)
-    for (const number of [view.composed, view.indirect, view.map?.picture])
+    for (const number of [view.composed, view.indirect, view.occlusion, view.map?.picture])
       if (typeof number === 'number') store.unpack(number, view.map ? 1 : 3).then(update);
 }
 

@@ -44,7 +44,7 @@ class ReadOut {
     return {swatch, cells, element, view};
   }
 
-  // Shows pixel (x, y), or dashes for null. `quantity` is "composed" or "indirect".
+  // Shows pixel (x, y), or dashes for null. `quantity` is one of kQuantities.
   show(pixel, quantity, exposureEv, toneMap) {
     const {width, height, light} = this.store;
     const inside = pixel && pixel.x >= 0 && pixel.y >= 0 && pixel.x < width && pixel.y < height;
@@ -57,7 +57,8 @@ class ReadOut {
       [...values, luminance].forEach((value, i) => {
         cells[i].textContent = formatNumber(value, 3);
       });
-      swatch.style.backgroundColor = rgb ? displayColor(rgb, light, exposureEv, toneMap) : '';
+      const shown = shownAs(quantity, exposureEv, toneMap);
+      swatch.style.backgroundColor = rgb ? displayColor(rgb, light, ...shown) : '';
       this.columns.forEach((column, i) => {
         const map = inside ? this.store.codes(column.pictures.get(view.key)) : undefined;
         cells[4 + i].textContent = formatNumber(map ? light[map[at]] : null, 3);

@@ -13,14 +13,20 @@ class Viewer {
     this.stage = byId('stage');
     this.canvas = byId('canvas');
     this.layout = 'wipe';
-    this.quantity = views.some((view) => typeof view.composed === 'number')
-      ? 'composed'
-      : 'indirect';
+    this.sides = firstSides(data, views);
+    const have = (quantity, of) => of.filter((view) => typeof view[quantity] === 'number').length;
+    this.quantities = kQuantities.filter(
+      (quantity) => quantity !== 'occlusion' || have(quantity, views) > 0,
+    );
+    byId('occlusion-choice').hidden = !this.quantities.includes('occlusion');
+    // What both sides have, or else most of them.
+    this.quantity = this.quantities.reduce((best, quantity) =>
+      have(quantity, this.sides) > have(best, this.sides) ? quantity : best,
+    );
     this.divider = 0.5;
     this.pointed = null; // picture coordinates below the mouse
     this.pinned = null; // and where it was clicked
     this.defaultEv = screens.exposureEv;
-    this.sides = firstSides(data, views);
     document.querySelector(`input[name="quantity"][value="${this.quantity}"]`).checked = true;
     this.connectControls();
     this.connectStage();
@@ -132,7 +138,7 @@ class Viewer {
       x: () => this.swap(),
       ' ': () => this.swap(),
       s: () => this.setRadio('layout', nextOf(['wipe', 'side', 'one'], this.layout)),
-      i: () => this.setRadio('quantity', nextOf(['composed', 'indirect'], this.quantity)),
+      i: () => this.setRadio('quantity', nextOf(this.quantities, this.quantity)),
       '[': () => this.setStops(Number(byId('exposure').value) - 0.5),
       ']': () => this.setStops(Number(byId('exposure').value) + 0.5),
       r: () => this.setStops(0),
@@ -235,8 +241,11 @@ class Viewer {
       context.fillStyle = '#999';
       context.font = `${13 * devicePixelRatio}px system-ui, sans-serif`;
       context.textAlign = 'center';
-      const missing =
-        this.quantity === 'indirect' ? 'no picture of indirect light' : 'no composed picture';
+      const missing = {
+        composed: 'no composed picture',
+        indirect: 'no picture of indirect light',
+        occlusion: 'no picture of occlusion',
+      }[this.quantity];
       const text = view.map || view[this.quantity] !== null ? 'unpacking …' : missing;
       context.fillText(text, (from + to) / 2, this.canvas.height / 2);
     }

@@ -1,18 +1,28 @@
 // SPDX-License-Identifier: MIT
 // What can be looked at, and how it looks on the display.
 
+const kQuantities = ['composed', 'indirect', 'occlusion'];
+
+// Exposure and tone map; occlusion is no light, and shown as it is.
+const shownAs = (quantity, exposureEv, toneMap) =>
+  quantity === 'occlusion' ? [0, 'none'] : [exposureEv, toneMap];
+
 // All that can be looked at: techniques, references, direct light, error maps. A view is
-// {key, group, label, composed, indirect} with numbers of pictures (null: there is none), or
-// {key, group, label, entryKey, map} for an error map.
+// {key, group, label, composed, indirect, occlusion} with numbers of pictures (null: there is none),
+// or {key, group, label, entryKey, map} for an error map.
 function viewsOf(data) {
   const views = [];
   const add = (group, key, label, pictures) => {
-    if (pictures.composed !== null || pictures.indirect !== null)
+    if (kQuantities.some((quantity) => pictures[quantity] !== null))
       views.push({key, group, label, ...pictures});
   };
   data.entries.forEach((entry, i) => add('Techniques', `entry-${i}`, entry.label, entry.pictures));
   data.references.forEach((r, i) => add('References', `reference-${i}`, r.label, r.pictures));
-  add('Direct light', 'direct', 'direct light only', {composed: data.direct, indirect: null});
+  add('Direct light', 'direct', 'direct light only', {
+    composed: data.direct,
+    indirect: null,
+    occlusion: null,
+  });
   data.entries.forEach((entry, i) =>
     entry.maps.forEach((map, k) =>
       views.push({
@@ -66,7 +76,8 @@ class Screens {
       this.store.unpack(number, view.map ? 1 : 3).then(this.onReady);
       return null;
     }
-    const settings = view.map ? `${this.mapScale}` : `${this.exposureEv} ${this.toneMap}`;
+    const shown = shownAs(quantity, this.exposureEv, this.toneMap);
+    const settings = view.map ? `${this.mapScale}` : shown.join(' ');
     let screen = this.painted.get(number);
     if (screen?.settings === settings) return screen.canvas;
     screen ??= {canvas: el('canvas', {width: this.store.width, height: this.store.height})};
@@ -74,7 +85,7 @@ class Screens {
     this.painted.set(number, screen);
     const image = new ImageData(this.store.width, this.store.height);
     if (view.map) toMagma(codes, this.store.light, view.map.full_scale * this.mapScale, image.data);
-    else toDisplay(codes, this.store.light, this.exposureEv, this.toneMap, image.data);
+    else toDisplay(codes, this.store.light, ...shown, image.data);
     screen.canvas.getContext('2d').putImageData(image, 0, 0);
     return screen.canvas;
   }
