@@ -21,6 +21,7 @@ using glm::abs;
 using glm::atan;
 using glm::ceil;
 using glm::clamp;
+using glm::cos;
 using glm::cross;
 using glm::dot;
 using glm::exp;
@@ -34,6 +35,7 @@ using glm::min;
 using glm::mix;
 using glm::normalize;
 using glm::pow;
+using glm::sin;
 using glm::sqrt;
 
 using glm::ivec2;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// 3 x 3 joint bilateral box filter within one level. Nine neighbours hold nine interleaved sample
-// patterns (see spiral_start), so on a smooth surface their plain mean has no pattern left.
+// 3 x 3 joint bilateral box filter of light, and of what its alpha holds. Nine neighbours have nine
+// interleaved sample patterns (see spiral_start), so on a smooth surface their plain mean has no
+// pattern left.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
-#include "techniques/hierarchical/equations.h"
-#include "techniques/hierarchical/params.h"
+#include "techniques/joint_filter.h"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(set = 0, binding = 0, rgba32f) uniform readonly image2D geometry;

@@ -3,6 +3,7 @@
 #include "lueur/cube_map.h"
 #include "lueur/hierarchical.h"
 #include "lueur/indirect_lights.h"
+#include "lueur/visibility_bitmask.h"
 #include "techniques/hierarchical/presets.h"
 
 namespace lueur {
@@ -22,6 +23,10 @@ const TechniqueInfo kTechniques[] = {
      make<IndirectLights>},
     {"cube_map", "Localized cube maps around moving objects, and probes for what stands still.",
      "Szirmay-Kalos, Lazányi 2006, SCCG", "own_map", CubeMap::settings_table(), make<CubeMap>},
+    {"visibility_bitmask",
+     "Slices of the camera's own G-buffer with a bit mask of what is covered.",
+     "Therrien, Levesque, Gilet 2023, The Visual Computer", "", VisibilityBitmask::settings_table(),
+     make<VisibilityBitmask>},
 };
 
 }  // namespace

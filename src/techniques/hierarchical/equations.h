@@ -3,7 +3,8 @@
 #ifndef LUEUR_HIERARCHICAL_EQUATIONS_H
 #define LUEUR_HIERARCHICAL_EQUATIONS_H
 
-#include "shading/gpu.h"
+#include "techniques/interleaving.h"
+#include "techniques/joint_filter.h"
 
 LUEUR_NAMESPACE_BEGIN
 
@@ -30,19 +31,6 @@ LUEUR_SHARED float sample_step_px2(float inner_px, float outer_px, uint n) {
 
 LUEUR_SHARED float sample_radius_px(float inner_px, float step_px2, float i_plus_shift) {
   return sqrt(inner_px * inner_px + i_plus_shift * step_px2);
-}
-
-// Pixels differ in where their spiral starts, with a period of 3 x 3: nine pixels together hold
-// nine interleaved spirals (a rank-1 lattice in shift and turn), and the 3 x 3 filter that follows
-// averages just these nine. From seed to seed, shift and turn follow Roberts' R2 sequence, so that
-// the frames of an animation fill the gaps of each other. x: shift in [0, 1), y: turn in [0, 1).
-LUEUR_SHARED vec2 spiral_start(uvec2 pixel, uint level, uint seed, bool rotate) {
-  const float cell = rotate ? float((pixel.x % 3u) + 3u * (pixel.y % 3u)) : 4.0f;
-  const float of_level = float(level) * 0.7548776662f;
-  const vec2 of_seed = float(seed % 4096u) * vec2(0.7548776662f, 0.5698402910f);
-  return fract(
-      vec2((cell + 0.5f) / 9.0f + of_level, (cell * 4.0f + 0.5f) / 9.0f + of_level * 0.3247f) +
-      of_seed);
 }
 
 // FDP 4, "temporal filtering": the largest share of the last frame, less where the picture moves
@@ -132,20 +120,6 @@ LUEUR_SHARED float vote(float distance_px, float cos_normals, float z_difference
   const float normals = (1.0f - cos_normals) / 0.1f;
   const float depths = z_difference / (0.02f * z);
   return exp(-0.5f * (distance_px * distance_px + normals * normals + depths * depths));
-}
-
-// How much two points belong to the same smooth piece of surface, for the joint bilateral filters.
-// The distance of q from p's tangent plane counts against p's depth: `flatness` is the distance, as
-// a share of the depth, at which the weight is 0. Normals count with the 8th power of their cosine.
-LUEUR_SHARED float bilateral_weight(vec3 position_p, vec3 normal_p, vec3 position_q, vec3 normal_q,
-                                    float flatness) {
-  const float distance_m = abs(dot(normal_p, position_q - position_p));
-  const float near =
-      max(1.0f + distance_m / (position_p.z * flatness), 0.0f);  // view z is negative
-  float alike = max(dot(normal_p, normal_q), 0.0f);
-  alike *= alike;
-  alike *= alike;
-  return near * alike * alike;
 }
 
 LUEUR_NAMESPACE_END

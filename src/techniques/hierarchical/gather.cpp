@@ -5,6 +5,8 @@
 #include "techniques/hierarchical/equations.h"
 #include "techniques/hierarchical/hierarchical_frame.h"
 #include "techniques/hierarchical/shaders.h"
+#include "techniques/joint_filter.h"
+#include "techniques/shaders.h"
 
 namespace lueur::hierarchical {
 
@@ -101,7 +103,7 @@ Image HierarchicalFrame::filter(const Level& level, uint32_t index, const std::s
   if (!settings_.filter) return light;
   const Image filtered = frame_.image("filtered", level.extent, Format::rgba16f);
   frame_.dispatch(at_level(kind + "filter", index),
-                  {.shader = shaders::techniques_hierarchical_filter_comp,
+                  {.shader = shaders::techniques_joint_filter_comp,
                    .params = FilterParams{level.screen, as_ivec2(level.extent)},
                    .read = {{"geometry", level.geometry}, {"light", light}},
                    .write = {{"filtered", filtered}},

@@ -8,6 +8,8 @@
 #include "frame/shaders.h"
 #include "techniques/hierarchical/params.h"
 #include "techniques/hierarchical/shaders.h"
+#include "techniques/joint_filter.h"
+#include "techniques/shaders.h"
 
 namespace lueur {
 namespace {
@@ -34,7 +36,7 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
                 {LUEUR_MEMBER(ReflectParams, extent), LUEUR_MEMBER(ReflectParams, own_weight)});
   expect_layout(s::techniques_hierarchical_add_comp, "push", sizeof(AddParams),
                 {LUEUR_MEMBER(AddParams, extent)});
-  expect_layout(s::techniques_hierarchical_filter_comp, "push", sizeof(FilterParams),
+  expect_layout(s::techniques_joint_filter_comp, "push", sizeof(FilterParams),
                 {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent)});
   expect_layout(s::techniques_hierarchical_combine_comp, "push", sizeof(UpsampleParams),
                 {LUEUR_MEMBER(UpsampleParams, screen), LUEUR_MEMBER(UpsampleParams, coarse_scale),

@@ -8,10 +8,8 @@
 
 LUEUR_NAMESPACE_BEGIN
 
-// See bilateral_weight(): 2 % of the depth.
-const float kFlatness = 0.02f;
-
-// The same for points of two frames: objects come nearer meanwhile.
+// See bilateral_weight(). More than kFlatness, for points of two frames: objects come nearer
+// meanwhile.
 const float kSameSurface = 0.05f;
 
 // How many standard deviations of its neighbours light may lie off their mean.
@@ -77,11 +75,6 @@ struct DownsampleSourceParams {
 };
 
 struct AddParams {
-  ivec2 extent;
-};
-
-struct FilterParams {
-  Screen screen;
   ivec2 extent;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Joint bilateral interpolation of a coarse level's light: `up` of HSSIL 3.2. Together with
-// filter.comp it makes the paper's 3 x 3 kernel, spread over the level's texels without steps.
+// joint_filter.comp it makes the paper's 3 x 3 kernel, spread over the level's texels without steps.
 //
 // A thread takes the fine pixels between the centres of four coarse ones: they all interpolate
 // between the same four, which are loaded once.

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "lueur/visibility_bitmask.h"
+
+#include <array>
+
+#include "techniques/baselines/slice_passes.h"
+#include "techniques/baselines/visibility_bitmask/params.h"
+#include "techniques/baselines/visibility_bitmask/shaders.h"
+
+namespace lueur {
+namespace {
+
+using Settings = VisibilityBitmaskSettings;
+
+constexpr std::array kSettings = {
+    setting<&Settings::slices>("slices", 1, 64, "slices", "Lines through a pixel."),
+    setting<&Settings::samples>("samples", 1, 256, "samples", "On each side of a slice."),
+    setting<&Settings::radius_m>("radius_m", 0.001, 10000, "m", "How far light comes from."),
+    setting<&Settings::distance_m>("distance_m", 0.001, 10000, "m",
+                                   "What is nearer counts as occlusion, within `radius_m`."),
+    setting<&Settings::thickness_m>("thickness_m", 0, 10000, "m",
+                                    "How deep everything is behind what the eye sees of it."),
+    toggle<&Settings::emitter_cosine>(
+        "emitter_cosine", "Multiply light by the cosine at which it leaves, as the paper does."),
+    toggle<&Settings::filter>("filter",
+                              "Average 3 x 3 pixels of one surface, whose samples interleave."),
+};
+
+}  // namespace
+
+std::span<const SettingInfo> VisibilityBitmask::settings_table() {
+  return kSettings;
+}
+
+Outputs VisibilityBitmask::render(Frame& public_frame, const Inputs& inputs) {
+  Recorder& frame = public_frame.recorder();
+  SlicePasses passes(frame, "visibility_bitmask", inputs);
+  const Extent extent = passes.extent();
+  const Image geometry = passes.geometry();
+  Image light = frame.image("light", extent, Format::rgba16f);
+  frame.dispatch(
+      "visibility_bitmask.gather",
+      {.shader = shaders::techniques_baselines_visibility_bitmask_gather_comp,
+       .constants = {{"emitter_cosine", settings_.emitter_cosine ? 1u : 0u}},
+       .params =
+           BitmaskParams{passes.screen(), as_ivec2(extent), static_cast<uint32_t>(settings_.slices),
+                         static_cast<uint32_t>(settings_.samples), inputs.seed, settings_.radius_m,
+                         settings_.distance_m, settings_.thickness_m},
+       .read = {{"geometry", geometry}, {"source", inputs.g_buffer.source}},
+       .write = {{"light", light}},
+       .over = extent});
+  if (settings_.filter) light = passes.filter(geometry, light);
+  frame.release(geometry);
+  return {.diffuse = light, .specular = {}, .occlusion = passes.occlusion(light)};
+}
+
+}  // namespace lueur
