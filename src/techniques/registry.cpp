@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The list of techniques: one line each.
 #include "lueur/cube_map.h"
+#include "lueur/hbao.h"
 #include "lueur/hierarchical.h"
 #include "lueur/indirect_lights.h"
 #include "lueur/visibility_bitmask.h"
@@ -27,6 +28,8 @@ const TechniqueInfo kTechniques[] = {
      "Slices of the camera's own G-buffer with a bit mask of what is covered.",
      "Therrien, Levesque, Gilet 2023, The Visual Computer", "", VisibilityBitmask::settings_table(),
      make<VisibilityBitmask>},
+    {"hbao", "Ambient occlusion alone, by the horizons around a pixel.",
+     "Bavoil, Sainz, Dimitrov 2008, SIGGRAPH Talks", "", Hbao::settings_table(), make<Hbao>},
 };
 
 }  // namespace
