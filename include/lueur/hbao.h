@@ -31,7 +31,7 @@ struct HbaoSettings {
   int32_t slices = 3;
   int32_t samples = 8;  // on each side of a slice
   float radius_m = 1.0f;
-  float falloff = 0.3f;
+  float falloff = 0.1f;
   bool filter = true;
 };
 

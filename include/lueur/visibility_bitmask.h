@@ -20,7 +20,9 @@
 // What differs from the paper: its sectors are of equal angle and each sample is multiplied by the
 // cosine at the receiver, which adds up to 1 for no hemisphere; it also multiplies by the cosine at
 // the emitter (`emitter_cosine`), which a sector's solid angle holds already; its back lies behind
-// the sample along the receiver's direction to the eye.
+// the sample along the receiver's direction to the eye, and not its own. And it leaves open what
+// lies between two samples of one surface; here the second one covers that, too (`bridge`), if the
+// first is within `thickness_m` of its plane.
 #pragma once
 
 #include "lueur/technique.h"
@@ -29,10 +31,11 @@ namespace lueur {
 
 struct VisibilityBitmaskSettings {
   int32_t slices = 3;
-  int32_t samples = 8;  // on each side of a slice
-  float radius_m = 5.0f;
+  int32_t samples = 16;  // on each side of a slice
+  float radius_m = 10.0f;
   float distance_m = 1.0f;
   float thickness_m = 0.3f;
+  bool bridge = true;
   bool emitter_cosine = false;
   bool filter = true;
 };

@@ -30,6 +30,26 @@ std::optional<CpuHit> nearer(const glm::dvec3& o, std::optional<CpuHit> a,
   return glm::length(a->position - o) < glm::length(b->position - o) ? a : b;
 }
 
+// What a line of the screen meets at `there`: the pixel's plane, within half and double its
+// distance.
+std::optional<ExactSample> sample_at(const CpuGBuffer& g, const Screen& screen,
+                                     const glm::dmat3& view_from_world, vec2 there) {
+  if (there.x < 0 || there.y < 0 || there.x >= static_cast<float>(g.extent.width) ||
+      there.y >= static_cast<float>(g.extent.height))
+    return std::nullopt;
+  const size_t q = static_cast<size_t>(there.y) * g.extent.width + static_cast<size_t>(there.x);
+  if (g.depth[q] == 0) return std::nullopt;
+  const glm::dvec3 n = view_from_world * glm::dvec3(g.normal[q]);
+  const glm::dvec3 ray(glm::dvec2(ray_through(screen, there)), -1);
+  const double z = -g.position_view[q].z;
+  const double on_line =
+      glm::dot(n, ray) < 0 ? glm::dot(n, g.position_view[q]) / glm::dot(n, ray) : z;
+  return ExactSample{.front = ray * std::clamp(on_line, 0.5 * z, 2 * z),
+                     .to = {},
+                     .normal = n,
+                     .radiance = double{g.source[q].x}};
+}
+
 }  // namespace
 
 std::optional<CpuHit> floor_only(const glm::dvec3& o, const glm::dvec3& d) {
@@ -116,21 +136,17 @@ std::vector<ExactSlice> exact_slices(const CpuGBuffer& g, size_t pixel, const Sl
       const vec2 to_side = side * direction;
       const float reach =
           reach_px(at_px, to_side, extent, s.radius_m, static_cast<float>(-p.z), line);
+      bool after_gap = false;
       for (uint i = 0; i < samples; ++i) {
         const vec2 there = at_px + to_side * sample_offset_px(i, samples, start.x, reach);
-        if (there.x < 0 || there.y < 0 || there.x >= extent.x || there.y >= extent.y) continue;
-        const size_t q =
-            static_cast<size_t>(there.y) * g.extent.width + static_cast<size_t>(there.x);
-        if (g.depth[q] == 0) continue;
-        const glm::dvec3 n = normal(q), ray(glm::dvec2(ray_through(screen, there)), -1);
-        // Where the line meets the pixel's plane, within half and double its distance.
-        const double z = -g.position_view[q].z;
-        const double on_line =
-            glm::dot(n, ray) < 0 ? glm::dot(n, g.position_view[q]) / glm::dot(n, ray) : z;
-        const glm::dvec3 front = ray * std::clamp(on_line, 0.5 * z, 2 * z);
-        if (glm::length(front - p) > double{s.radius_m}) continue;
-        (side > 0 ? slice.positive : slice.negative)
-            .push_back({front, front - p, n, double{g.source[q].x}});
+        std::optional<ExactSample> hit = sample_at(g, screen, view_from_world, there);
+        if (hit) hit->to = hit->front - p;
+        if (hit && glm::length(hit->to) > double{s.radius_m}) hit.reset();
+        if (hit) {
+          hit->after_gap = after_gap;
+          (side > 0 ? slice.positive : slice.negative).push_back(*hit);
+        }
+        after_gap = !hit;
       }
     }
   }

@@ -27,10 +27,11 @@ std::vector<std::optional<glm::dvec3>> floor_places(const CpuGBuffer& g);
 std::optional<CpuHit> ball(const glm::dvec3& origin, const glm::dvec3& direction);
 
 struct ExactSample {
-  glm::dvec3 front;     // view space
-  glm::dvec3 to;        // from the receiver
-  glm::dvec3 normal;    // view space
-  double radiance = 0;  // red
+  glm::dvec3 front;        // view space
+  glm::dvec3 to;           // from the receiver
+  glm::dvec3 normal;       // view space
+  double radiance = 0;     // red
+  bool after_gap = false;  // the one before hit nothing, or nothing within the radius
 };
 
 // A slice with what its samples hit within the radius, from near to far.

@@ -20,6 +20,8 @@ constexpr std::array kSettings = {
                                    "What is nearer counts as occlusion, within `radius_m`."),
     setting<&Settings::thickness_m>("thickness_m", 0, 10000, "m",
                                     "How deep everything is behind what the eye sees of it."),
+    toggle<&Settings::bridge>(
+        "bridge", "Cover what lies between two samples that follow each other on one surface."),
     toggle<&Settings::emitter_cosine>(
         "emitter_cosine", "Multiply light by the cosine at which it leaves, as the paper does."),
     toggle<&Settings::filter>("filter",
@@ -41,7 +43,8 @@ Outputs VisibilityBitmask::render(Frame& public_frame, const Inputs& inputs) {
   frame.dispatch(
       "visibility_bitmask.gather",
       {.shader = shaders::techniques_baselines_visibility_bitmask_gather_comp,
-       .constants = {{"emitter_cosine", settings_.emitter_cosine ? 1u : 0u}},
+       .constants = {{"emitter_cosine", settings_.emitter_cosine ? 1u : 0u},
+                     {"bridge", settings_.bridge ? 1u : 0u}},
        .params =
            BitmaskParams{passes.screen(), as_ivec2(extent), static_cast<uint32_t>(settings_.slices),
                          static_cast<uint32_t>(settings_.samples), inputs.seed, settings_.radius_m,

@@ -138,12 +138,22 @@ glm::dvec2 exact(const CpuGBuffer& g, size_t pixel, const Settings& s) {
   double weights = 0;
   for (const ExactSlice& slice : exact_slices(g, pixel, {s.slices, s.samples, s.radius_m})) {
     std::array<bool, kSteps> covered{}, near{};
-    for (const auto* side : {&slice.positive, &slice.negative}) {
+    for (const auto& [side, end] : {std::pair{&slice.positive, kPi}, {&slice.negative, -kPi}}) {
+      glm::dvec3 last = g.position_view[pixel];
+      double last_angle = end;
       for (const ExactSample& sample : *side) {
         const double r = glm::length(sample.to);
-        const double a = slice.angle(sample.to);
-        const double b =
-            slice.angle(sample.to + double{s.thickness_m} * glm::normalize(sample.front));
+        const double front = slice.angle(sample.to);
+        double a = front;
+        double b = slice.angle(sample.to + double{s.thickness_m} * glm::normalize(sample.front));
+        const bool is_one_surface =
+            std::abs(glm::dot(sample.normal, sample.front - last)) < double{s.thickness_m};
+        if (s.bridge && !sample.after_gap && is_one_surface) {
+          a = std::min({front, b, last_angle});
+          b = std::max({front, b, last_angle});
+        }
+        last = sample.front;
+        last_angle = front;
         const bool faces = glm::dot(sample.normal, sample.to) < -1e-4 * r;
         for (size_t i = 0; i < kSteps; ++i) {
           const double h = angle_of(static_cast<int>(i));
@@ -165,12 +175,14 @@ glm::dvec2 exact(const CpuGBuffer& g, size_t pixel, const Settings& s) {
 
 TEST_F(VisibilityBitmaskTest, IsTheSumOverItsSamples) {
   const CpuGBuffer g = cast_g_buffer(ball, {48, 32}, 0.9, {0.2, 0.2, 0});
-  for (const float thickness_m : {0.05f, 0.3f, 50.0f}) {
+  for (const auto& [thickness_m, bridge] :
+       {std::pair{0.05f, false}, {0.3f, false}, {50.0f, false}, {0.05f, true}, {0.3f, true}}) {
     const Settings settings{.slices = 6,
                             .samples = 12,
                             .radius_m = 6,
                             .distance_m = 0.8f,
                             .thickness_m = thickness_m,
+                            .bridge = bridge,
                             .filter = false};
     const Result r = render(g, settings);
     glm::dvec2 error(0), squared(0), mean(0);
