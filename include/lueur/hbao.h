@@ -23,6 +23,7 @@
 // pixel's plane meets the line where it should.
 #pragma once
 
+#include "lueur/slice_filter.h"
 #include "lueur/technique.h"
 
 namespace lueur {
@@ -32,7 +33,7 @@ struct HbaoSettings {
   int32_t samples = 8;  // on each side of a slice
   float radius_m = 1.0f;
   float falloff = 0.1f;
-  bool filter = true;
+  SliceFilter filter = SliceFilter::three;
 };
 
 // Outputs: `occlusion`.

@@ -25,6 +25,7 @@
 // first is within `thickness_m` of its plane.
 #pragma once
 
+#include "lueur/slice_filter.h"
 #include "lueur/technique.h"
 
 namespace lueur {
@@ -37,7 +38,7 @@ struct VisibilityBitmaskSettings {
   float thickness_m = 0.3f;
   bool bridge = true;
   bool emitter_cosine = false;
-  bool filter = true;
+  SliceFilter filter = SliceFilter::nine;
 };
 
 // Outputs: `diffuse`, its alpha without meaning, and `occlusion`.

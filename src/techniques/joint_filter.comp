@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 3 x 3 joint bilateral box filter of light, and of what its alpha holds. Nine neighbours have nine
 // interleaved sample patterns (see spiral_start), so on a smooth surface their plain mean has no
-// pattern left.
+// pattern left. Again with a step of three pixels, it is one of 9 x 9.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 
@@ -23,14 +23,14 @@ void main() {
   vec4 g[9];
   vec4 l[9];
   for (int i = 0; i < 9; ++i) {
-    const ivec2 q = pixel + ivec2(i % 3, i / 3) - 1;
+    const ivec2 q = pixel + p.step_px * (ivec2(i % 3, i / 3) - 1);
     g[i] = imageLoad(geometry, q);
     l[i] = imageLoad(light, q);
   }
   vec4 sum = l[4];
   float weights = 1.0;
   for (int i = 0; i < 9; ++i) {
-    const vec2 centre = vec2(pixel) + vec2(i % 3, i / 3) - 0.5;
+    const vec2 centre = vec2(pixel + p.step_px * (ivec2(i % 3, i / 3) - 1)) + 0.5;
     const vec3 other = position_view(ray_through(p.screen, centre), g[i].w);
     const float weight =
         i == 4 || own.w == 0.0 || g[i].w == 0.0

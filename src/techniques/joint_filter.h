@@ -27,6 +27,7 @@ const float kFlatness = 0.02f;
 struct FilterParams {
   Screen screen;
   ivec2 extent;
+  int step_px;  // from one pixel of the 3 x 3 to the next
 };
 
 LUEUR_NAMESPACE_END

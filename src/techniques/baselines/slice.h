@@ -70,9 +70,12 @@ LUEUR_SHARED float share_below(Slice s, float h) {
 
 // x: by which share of a step a pixel's samples are shifted, y: by which share of the angle between
 // two slices these are turned, in [0, 1). Of slice `k`, as slices shift their samples differently.
+// Nine pixels of 3 x 3 interleave, and so do nine such blocks: 81 starts.
 LUEUR_SHARED vec2 slice_start(uvec2 pixel, uint seed, uint k) {
-  const vec2 start = spiral_start(pixel, 0u, seed, true);
-  return vec2(fract(start.x + 0.7548776662f * float(k)), start.y);
+  const uint block = (pixel.x / 3u) % 3u + 3u * ((pixel.y / 3u) % 3u);
+  const vec2 start =
+      spiral_start(pixel, 0u, seed, true) + vec2(float(block), float((4u * block) % 9u)) / 81.0f;
+  return vec2(fract(start.x + 0.7548776662f * float(k)), fract(start.y));
 }
 
 // A unit direction on the screen; with the opposite one it makes slice k of `count`.

@@ -5,10 +5,13 @@
 #include <string>
 
 #include "frame/recorder.h"
+#include "lueur/slice_filter.h"
 #include "lueur/technique.h"
 #include "shading/screen.h"
 
 namespace lueur {
+
+inline constexpr std::string_view kSliceFilterNames[] = {"none", "3x3", "9x9"};
 
 class SlicePasses {
  public:
@@ -20,12 +23,14 @@ class SlicePasses {
 
   // rgba32f: normal in view space and z, 0 where nothing is. Release it.
   Image geometry();
-  // `light`, released, over 3 x 3 pixels of the same surface: the nine patterns of slice_start().
-  Image filter(Image geometry, Image light);
+  // `light`, released, over pixels of the same surface: those that interleave in slice_start().
+  Image filter(Image geometry, Image light, SliceFilter filter);
   // r16f: the alpha of `light`.
   Image occlusion(Image light);
 
  private:
+  Image filter(const char* pass, Image geometry, Image light, int32_t step_px);
+
   Recorder& frame_;
   std::string name_;
   const Inputs& inputs_;

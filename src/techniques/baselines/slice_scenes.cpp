@@ -24,6 +24,15 @@ std::optional<CpuHit> rectangle(const glm::dvec3& o, const glm::dvec3& d, const 
   return CpuHit{o + t * d, n, glm::dvec3(radiance)};
 }
 
+std::optional<CpuHit> sphere(const glm::dvec3& o, const glm::dvec3& d, const glm::dvec3& centre,
+                             double radius, double radiance) {
+  const double b = glm::dot(d, o - centre), a = glm::dot(d, d);
+  const double root = b * b - a * (glm::dot(o - centre, o - centre) - radius * radius);
+  if (root <= 0) return std::nullopt;
+  const glm::dvec3 p = o + (-b - std::sqrt(root)) / a * d;
+  return CpuHit{p, (p - centre) / radius, glm::dvec3(radiance)};
+}
+
 std::optional<CpuHit> nearer(const glm::dvec3& o, std::optional<CpuHit> a,
                              std::optional<CpuHit> b) {
   if (!a || !b) return a ? a : b;
@@ -85,18 +94,11 @@ std::vector<std::optional<glm::dvec3>> floor_places(const CpuGBuffer& g) {
   return places;
 }
 
-std::optional<CpuHit> ball(const glm::dvec3& o, const glm::dvec3& d) {
-  const glm::dvec3 centre(0.3, -0.3, -3.2);
-  const double radius = 0.5, b = glm::dot(d, o - centre), a = glm::dot(d, d);
-  const double root = b * b - a * (glm::dot(o - centre, o - centre) - radius * radius);
-  std::optional<CpuHit> hit;
-  if (root > 0) {
-    const glm::dvec3 p = o + (-b - std::sqrt(root)) / a * d;
-    hit = CpuHit{p, (p - centre) / radius, glm::dvec3(2.0)};
-  }
-  return nearer(o, hit,
-                nearer(o, rectangle(o, d, {0, -1, 0}, {0, 0, -kWallZ}, {1e4, 0, 0}, 0.25),
-                       rectangle(o, d, {0, 0, kWallZ}, {1e4, 0, 0}, {0, 1e4, 0}, 1)));
+std::optional<CpuHit> balls(const glm::dvec3& o, const glm::dvec3& d) {
+  auto hit =
+      nearer(o, sphere(o, d, {0.3, -0.3, -3.2}, 0.5, 2), sphere(o, d, {1.2, -0.4, -3}, 0.3, 1));
+  hit = nearer(o, hit, rectangle(o, d, {0, -1, 0}, {0, 0, -kWallZ}, {1e4, 0, 0}, 0.25));
+  return nearer(o, hit, rectangle(o, d, {0, 0, kWallZ}, {1e4, 0, 0}, {0, 1e4, 0}, 1));
 }
 
 double ExactSlice::angle(const glm::dvec3& to) const {

@@ -23,8 +23,8 @@ CpuGBuffer see_wall(Extent extent, const CpuScene& scene = wall_and_floor);
 // The place of each pixel of the floor before the wall but at its sides; nothing for other pixels.
 std::vector<std::optional<glm::dvec3>> floor_places(const CpuGBuffer& g);
 
-// A floor and an endless wall, and a ball before it, each with its radiance.
-std::optional<CpuHit> ball(const glm::dvec3& origin, const glm::dvec3& direction);
+// A floor and an endless wall, and two balls far before it, each with its radiance.
+std::optional<CpuHit> balls(const glm::dvec3& origin, const glm::dvec3& direction);
 
 struct ExactSample {
   glm::dvec3 front;        // view space

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace lueur {
 namespace {
@@ -94,6 +96,24 @@ TEST(Slices, SamplesStayBetweenThePixelAndTheReach) {
   EXPECT_NEAR(reach_px(at, right, extent, 200, 4, {0.1f, 0}), 69.5f, 1e-3f);
   EXPECT_NEAR(reach_px(at, -right, extent, 200, 4, {0.1f, 0}), 30.5f, 1e-3f);
   EXPECT_NEAR(reach_px(at, down, extent, 200, 4, {0.1f, 0}), 29.5f, 1e-3f);
+}
+
+// 9 x 9 pixels together must be spread evenly, and each 3 x 3 of them nearly.
+TEST(Slices, NeighboursInterleave) {
+  for (const uint seed : {0u, 5u}) {
+    std::vector<float> shifts, turns;
+    for (uint y = 0; y < 9; ++y) {
+      for (uint x = 0; x < 9; ++x) {
+        const vec2 start = slice_start(uvec2(x + 18, y + 4), seed, 1);
+        shifts.push_back(start.x);
+        turns.push_back(start.y);
+      }
+    }
+    for (auto* list : {&shifts, &turns}) {
+      std::sort(list->begin(), list->end());
+      for (size_t i = 1; i < 81; ++i) EXPECT_NEAR((*list)[i] - (*list)[i - 1], 1.0f / 81, 1e-4f);
+    }
+  }
 }
 
 TEST(Slices, APlaneMeetsTheLine) {

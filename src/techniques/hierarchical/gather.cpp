@@ -104,7 +104,7 @@ Image HierarchicalFrame::filter(const Level& level, uint32_t index, const std::s
   const Image filtered = frame_.image("filtered", level.extent, Format::rgba16f);
   frame_.dispatch(at_level(kind + "filter", index),
                   {.shader = shaders::techniques_joint_filter_comp,
-                   .params = FilterParams{level.screen, as_ivec2(level.extent)},
+                   .params = FilterParams{level.screen, as_ivec2(level.extent), 1},
                    .read = {{"geometry", level.geometry}, {"light", light}},
                    .write = {{"filtered", filtered}},
                    .over = level.extent});

@@ -37,7 +37,8 @@ TEST(Layout, StructuresAgreeWithTheShaders) {
   expect_layout(s::techniques_hierarchical_add_comp, "push", sizeof(AddParams),
                 {LUEUR_MEMBER(AddParams, extent)});
   expect_layout(s::techniques_joint_filter_comp, "push", sizeof(FilterParams),
-                {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent)});
+                {LUEUR_MEMBER(FilterParams, screen), LUEUR_MEMBER(FilterParams, extent),
+                 LUEUR_MEMBER(FilterParams, step_px)});
   expect_layout(s::techniques_hierarchical_combine_comp, "push", sizeof(UpsampleParams),
                 {LUEUR_MEMBER(UpsampleParams, screen), LUEUR_MEMBER(UpsampleParams, coarse_scale),
                  LUEUR_MEMBER(UpsampleParams, extent), LUEUR_MEMBER(UpsampleParams, coarse_extent),

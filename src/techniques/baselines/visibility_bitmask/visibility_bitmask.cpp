@@ -24,8 +24,9 @@ constexpr std::array kSettings = {
         "bridge", "Cover what lies between two samples that follow each other on one surface."),
     toggle<&Settings::emitter_cosine>(
         "emitter_cosine", "Multiply light by the cosine at which it leaves, as the paper does."),
-    toggle<&Settings::filter>("filter",
-                              "Average 3 x 3 pixels of one surface, whose samples interleave."),
+    choice<&Settings::filter>(
+        "filter", kSliceFilterNames,
+        "Over how many pixels of one surface to average, whose samples interleave."),
 };
 
 }  // namespace
@@ -52,7 +53,7 @@ Outputs VisibilityBitmask::render(Frame& public_frame, const Inputs& inputs) {
        .read = {{"geometry", geometry}, {"source", inputs.g_buffer.source}},
        .write = {{"light", light}},
        .over = extent});
-  if (settings_.filter) light = passes.filter(geometry, light);
+  light = passes.filter(geometry, light, settings_.filter);
   frame.release(geometry);
   return {.diffuse = light, .specular = {}, .occlusion = passes.occlusion(light)};
 }
