@@ -23,7 +23,6 @@
 // pixel's plane meets the line where it should.
 #pragma once
 
-#include "lueur/slice_filter.h"
 #include "lueur/technique.h"
 
 namespace lueur {
@@ -33,7 +32,7 @@ struct HbaoSettings {
   int32_t samples = 8;  // on each side of a slice
   float radius_m = 1.0f;
   float falloff = 0.1f;
-  SliceFilter filter = SliceFilter::three;
+  bool filter = true;
 };
 
 // Outputs: `occlusion`.

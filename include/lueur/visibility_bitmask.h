@@ -25,12 +25,14 @@
 // first is within `thickness_m` of its plane.
 #pragma once
 
-#include "lueur/slice_filter.h"
 #include "lueur/technique.h"
 
 namespace lueur {
 
 struct VisibilityBitmaskSettings {
+  // Over how many pixels a side, of one surface. Of occlusion, which varies less, at most three.
+  enum class Filter : int32_t { none, three, nine };
+
   int32_t slices = 3;
   int32_t samples = 16;  // on each side of a slice
   float radius_m = 10.0f;
@@ -38,7 +40,7 @@ struct VisibilityBitmaskSettings {
   float thickness_m = 0.3f;
   bool bridge = true;
   bool emitter_cosine = false;
-  SliceFilter filter = SliceFilter::nine;
+  Filter filter = Filter::nine;
 };
 
 // Outputs: `diffuse`, its alpha without meaning, and `occlusion`.

@@ -30,7 +30,7 @@ Image SlicePasses::geometry() {
   return geometry;
 }
 
-Image SlicePasses::filter(const char* pass, Image geometry, Image light, int32_t step_px) {
+Image SlicePasses::average(const char* pass, Image geometry, Image light, int32_t step_px) {
   const Image filtered = frame_.image("filtered", extent_, Format::rgba16f);
   frame_.dispatch(name_ + pass, {.shader = shaders::techniques_joint_filter_comp,
                                  .params = FilterParams{screen_, as_ivec2(extent_), step_px},
@@ -41,10 +41,12 @@ Image SlicePasses::filter(const char* pass, Image geometry, Image light, int32_t
   return filtered;
 }
 
-Image SlicePasses::filter(Image geometry, Image light, SliceFilter filter) {
-  if (filter == SliceFilter::none) return light;
-  light = this->filter(".filter", geometry, light, 1);
-  return filter == SliceFilter::three ? light : this->filter(".filter_wide", geometry, light, 3);
+Image SlicePasses::filter(Image geometry, Image light) {
+  return average(".filter", geometry, light, 1);
+}
+
+Image SlicePasses::widen(Image geometry, Image light) {
+  return average(".widen", geometry, light, 3);
 }
 
 Image SlicePasses::occlusion(Image light) {

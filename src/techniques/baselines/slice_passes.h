@@ -5,13 +5,10 @@
 #include <string>
 
 #include "frame/recorder.h"
-#include "lueur/slice_filter.h"
 #include "lueur/technique.h"
 #include "shading/screen.h"
 
 namespace lueur {
-
-inline constexpr std::string_view kSliceFilterNames[] = {"none", "3x3", "9x9"};
 
 class SlicePasses {
  public:
@@ -23,13 +20,15 @@ class SlicePasses {
 
   // rgba32f: normal in view space and z, 0 where nothing is. Release it.
   Image geometry();
-  // `light`, released, over pixels of the same surface: those that interleave in slice_start().
-  Image filter(Image geometry, Image light, SliceFilter filter);
+  // `light`, released, over 3 x 3 pixels of one surface, which interleave in slice_start().
+  Image filter(Image geometry, Image light);
+  // And then over the nine blocks around: 9 x 9.
+  Image widen(Image geometry, Image light);
   // r16f: the alpha of `light`.
   Image occlusion(Image light);
 
  private:
-  Image filter(const char* pass, Image geometry, Image light, int32_t step_px);
+  Image average(const char* pass, Image geometry, Image light, int32_t step_px);
 
   Recorder& frame_;
   std::string name_;

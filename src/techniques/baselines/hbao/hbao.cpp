@@ -19,9 +19,8 @@ constexpr std::array kSettings = {
                                  "What is farther does not close a point in."),
     setting<&Settings::falloff>("falloff", 0, 1, "",
                                 "Over which share of the radius, up to its end, it fades out."),
-    choice<&Settings::filter>(
-        "filter", kSliceFilterNames,
-        "Over how many pixels of one surface to average, whose samples interleave."),
+    toggle<&Settings::filter>("filter",
+                              "Average 3 x 3 pixels of one surface, whose samples interleave."),
 };
 
 }  // namespace
@@ -45,7 +44,7 @@ Outputs Hbao::render(Frame& public_frame, const Inputs& inputs) {
                   .read = {{"geometry", geometry}},
                   .write = {{"light", light}},
                   .over = extent});
-  light = passes.filter(geometry, light, settings_.filter);
+  if (settings_.filter) light = passes.filter(geometry, light);
   frame.release(geometry);
   const Image occlusion = passes.occlusion(light);
   frame.release(light);

@@ -38,9 +38,8 @@ TEST_F(HbaoTest, AFloorIsOpen) {
 
 TEST_F(HbaoTest, AWallClosesItsFormFactor) {
   const CpuGBuffer g = see_wall({160, 160});
-  const std::vector<double> found = open(
-      g,
-      {.slices = 48, .samples = 160, .radius_m = 100, .falloff = 0, .filter = SliceFilter::none});
+  const std::vector<double> found =
+      open(g, {.slices = 48, .samples = 160, .radius_m = 100, .falloff = 0, .filter = false});
   const auto places = floor_places(g);
   double error = 0;
   size_t count = 0;
@@ -110,7 +109,7 @@ TEST_F(HbaoTest, IsTheIntegralAboveItsHorizons) {
   const CpuGBuffer g = cast_g_buffer(balls, {48, 32}, 0.9, {0.2, 0.2, 0});
   for (const float falloff : {1e-3f, 0.6f}) {
     const Settings settings{
-        .slices = 5, .samples = 9, .radius_m = 2, .falloff = falloff, .filter = SliceFilter::none};
+        .slices = 5, .samples = 9, .radius_m = 2, .falloff = falloff, .filter = false};
     const std::vector<double> found = open(g, settings);
     double darkest = 1;
     for (size_t i = 0; i < found.size(); i += 7) {

@@ -12,6 +12,8 @@ namespace {
 
 using Settings = VisibilityBitmaskSettings;
 
+constexpr std::string_view kFilterNames[] = {"none", "3x3", "9x9"};
+
 constexpr std::array kSettings = {
     setting<&Settings::slices>("slices", 1, 64, "slices", "Lines through a pixel."),
     setting<&Settings::samples>("samples", 1, 256, "samples", "On each side of a slice."),
@@ -24,9 +26,9 @@ constexpr std::array kSettings = {
         "bridge", "Cover what lies between two samples that follow each other on one surface."),
     toggle<&Settings::emitter_cosine>(
         "emitter_cosine", "Multiply light by the cosine at which it leaves, as the paper does."),
-    choice<&Settings::filter>(
-        "filter", kSliceFilterNames,
-        "Over how many pixels of one surface to average, whose samples interleave."),
+    choice<&Settings::filter>("filter", kFilterNames,
+                              "Over how many pixels of one surface to average light, whose samples "
+                              "interleave; occlusion over 3x3 at most."),
 };
 
 }  // namespace
@@ -53,9 +55,11 @@ Outputs VisibilityBitmask::render(Frame& public_frame, const Inputs& inputs) {
        .read = {{"geometry", geometry}, {"source", inputs.g_buffer.source}},
        .write = {{"light", light}},
        .over = extent});
-  light = passes.filter(geometry, light, settings_.filter);
+  if (settings_.filter != Settings::Filter::none) light = passes.filter(geometry, light);
+  const Image occlusion = passes.occlusion(light);
+  if (settings_.filter == Settings::Filter::nine) light = passes.widen(geometry, light);
   frame.release(geometry);
-  return {.diffuse = light, .specular = {}, .occlusion = passes.occlusion(light)};
+  return {.diffuse = light, .specular = {}, .occlusion = occlusion};
 }
 
 }  // namespace lueur
