@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// final = emission + occlusion * diffuse direct light + specular, for techniques that give occlusion
-// and no light. What a surface emits itself, nothing around it darkens.
+// final = emission + occlusion * diffuse direct light + specular, for techniques that give
+// occlusion and no light. What a surface emits itself, nothing around it darkens.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

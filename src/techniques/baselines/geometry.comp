@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The engine's G-buffer -> normal in view space and z of each pixel, all 0 where nothing is. Samples
-// load it as a storage image, which costs less than two texel fetches, and is 0 outside.
+// The engine's G-buffer -> normal in view space and z of each pixel, all 0 where nothing is.
+// Samples load it as a storage image, which costs less than two texel fetches, and is 0 outside.
 #version 460
 #extension GL_EXT_scalar_block_layout : require
 

@@ -11,9 +11,9 @@ layout(set = 0, binding = 0, rgba32f) uniform readonly image2D geometry;
 layout(set = 0, binding = 1, rgba16f) uniform writeonly image2D light;
 layout(push_constant, scalar) uniform Push { HbaoParams p; };
 
-// What one side of a slice has below its horizon, as a share of the slice: all of the samples' shares
-// begin at the hemisphere's end, so that the largest is that of the horizon. `end` is the share at
-// that end, 1 where `direction` leads to.
+// What one side of a slice has below its horizon, as a share of the slice: the shares of all
+// samples begin at the hemisphere's end, so that the largest is that of the horizon. `end` is the
+// share at that end, 1 where `direction` leads to.
 float closed_share(vec3 position, vec2 at_px, vec2 direction, float end, Slice slice,
                    float shift) {
   const float reach = reach_px(at_px, direction, vec2(p.extent), p.radius_m, -position.z,
