@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <type_traits>
 
 #include "cube_maps/equations.h"
 #include "lights/square_views.h"
@@ -18,6 +19,7 @@ using Settings = CubeMapSettings;
 using Light = std::vector<glm::dvec3>;  // a value a pixel
 
 constexpr uint32_t kPicturePx = 64;
+constexpr CosineLobe kLobe{.exponent = 6.0f};  // of all surfaces
 const Box kRoomBounds{{-3, -2, -3}, {3, 2, 3}};
 const double kFar = 2 * std::sqrt(36.0 + 16.0 + 36.0);
 
@@ -158,7 +160,8 @@ std::vector<ExactTexel> exact_map(const CpuScene& scene, const glm::dvec3& centr
   return texels;
 }
 
-// LCM (3) with the reflectivity `a`, which gets the unit direction to the light.
+// LCM (3) with the reflectivity `a`, which gets the unit direction to the light and,
+// if it wants it, the solid angle in which that is seen.
 template <class Reflectivity>
 glm::dvec3 exact_sum(const std::vector<ExactTexel>& texels, const glm::dvec3& x, bool localized,
                      const Reflectivity& a) {
@@ -169,7 +172,10 @@ glm::dvec3 exact_sum(const std::vector<ExactTexel>& texels, const glm::dvec3& x,
     const double share = t.solid_angle / kPi;
     const double seen =
         localized ? d2 * t.solid_angle / (r2 * (1 - share) + d2 * share) : t.solid_angle;
-    sum += t.radiance * (a(way / std::sqrt(r2)) * seen);
+    if constexpr (std::is_invocable_v<Reflectivity, glm::dvec3, double>)
+      sum += t.radiance * (a(way / std::sqrt(r2), seen) * seen);
+    else
+      sum += t.radiance * (a(way / std::sqrt(r2)) * seen);
   }
   return sum;
 }
@@ -189,8 +195,9 @@ class CubeMapTest : public GpuTest {
     run([&](Frame& frame) {
       GBuffer g = g_.upload(recorder());
       g.object = recorder().upload_image("object", g_.extent, Format::r8, object.data());
-      const Outputs out =
-          technique.render(frame, {.view = g_.view, .g_buffer = g, .cut = is_cut_, .host = &host});
+      const Outputs out = technique.render(
+          frame,
+          {.view = g_.view, .g_buffer = g, .cut = is_cut_, .lobes = {&kLobe, 1}, .host = &host});
       recorder().read_back("diffuse", out.diffuse);
       if (out.specular.valid()) recorder().read_back("specular", out.specular);
     });
@@ -381,6 +388,28 @@ TEST_F(CubeMapTest, BlinnsLobeIsSummedTheSameWay) {
           return c * std::pow(half, 5) * std::max(glm::dot(n, l), 0.0);
         });
     for (int k = 0; k < 3; ++k) ASSERT_NEAR(found[i][k], want[k], 2e-3 * want[k] + 2e-5) << i;
+  }
+}
+
+// The surfaces' own lobe, as wide as the texel makes it: FDP's and LCM's lobes are looked at once.
+TEST_F(CubeMapTest, CosineLobesAreSummedAsWideAsTexels) {
+  settings_.glossy = true;
+  settings_.probes = 0;
+  BallHost host(room, {{{-0.3, -0.5, -0.5}, 1.2}});
+  render(host);
+  const auto map = exact_map(host.without(std::vector{0u}), host.balls()[0].centre, side());
+  const Light found = all("specular");
+  for (size_t i = 0; i < found.size(); ++i) {
+    const glm::dvec3 x = position(i), n = normal(i);
+    if (g_.depth[i] == 0 || !host.ball_at(x)) continue;
+    const glm::dvec3 mirrored = glm::reflect(glm::normalize(x - eye_), n);
+    const auto phong = [&](const glm::dvec3& l, double solid_angle) {
+      const double exponent = 1 / (1 / double{kLobe.exponent} + 0.5 * solid_angle / kPi);
+      return (exponent + 2) / (2 * kPi) * std::pow(std::max(glm::dot(mirrored, l), 0.0), exponent) *
+             std::max(glm::dot(n, l), 0.0);
+    };
+    const glm::dvec3 want = glm::dvec3(0.5, 0.25, 1.0) * exact_sum(map, x, true, phong);
+    for (int k = 0; k < 3; ++k) ASSERT_NEAR(found[i][k], want[k], 2e-3 * want[k] + 2e-4) << i;
   }
 }
 

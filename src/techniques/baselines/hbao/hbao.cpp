@@ -31,6 +31,8 @@ std::span<const SettingInfo> Hbao::settings_table() {
 
 Outputs Hbao::render(Frame& public_frame, const Inputs& inputs) {
   Recorder& frame = public_frame.recorder();
+  if (auto valid = check_ranges(kSettings, &settings_); !valid.ok()) frame.fail(valid.error());
+  if (frame.failed()) return {};
   SlicePasses passes(frame, "hbao", inputs);
   const Extent extent = passes.extent();
   const Image geometry = passes.geometry();

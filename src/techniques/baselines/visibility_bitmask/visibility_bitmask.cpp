@@ -39,6 +39,8 @@ std::span<const SettingInfo> VisibilityBitmask::settings_table() {
 
 Outputs VisibilityBitmask::render(Frame& public_frame, const Inputs& inputs) {
   Recorder& frame = public_frame.recorder();
+  if (auto valid = check_ranges(kSettings, &settings_); !valid.ok()) frame.fail(valid.error());
+  if (frame.failed()) return {};
   SlicePasses passes(frame, "visibility_bitmask", inputs);
   const Extent extent = passes.extent();
   const Image geometry = passes.geometry();

@@ -243,5 +243,22 @@ TEST_F(VisibilityBitmaskTest, IsTheSumOverItsSamples) {
   }
 }
 
+// Settings that code has filled in are held to their ranges.
+TEST_F(VisibilityBitmaskTest, SettingsOutOfRangeFailTheFrame) {
+  const CpuGBuffer g =
+      cast_g_buffer([](const glm::dvec3&, const glm::dvec3&) { return std::optional<CpuHit>(); },
+                    {8, 8}, 0.9, {0, 0, 0});
+  const auto result = system().run([&](VkCommandBuffer commands) {
+    Frame frame = context().record(commands);
+    Settings settings;
+    settings.slices = 0;
+    VisibilityBitmask(settings).render(frame, {.view = g.view, .g_buffer = g.upload(recorder())});
+    return frame.finish();
+  });
+  ASSERT_FALSE(result.ok());
+  EXPECT_EQ(result.error().kind, ErrorKind::usage);
+  EXPECT_NE(result.error().message.find("slices"), std::string::npos) << result.error().message;
+}
+
 }  // namespace
 }  // namespace lueur
